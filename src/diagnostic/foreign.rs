@@ -34,7 +34,7 @@ pub fn foreign(word: &str) -> Option<&'static str> {
         "asin" => "write arcsin(x)",
         "acos" => "write arccos(x)",
         "atan" => "write arctan(x)",
-        "atan2" => "write arctan(y/x), with the case x > 0 in a hypothesis",
+        "atan2" | "arctan2" => "write arctan(y/x), with the case x > 0 in a hypothesis",
         "arccot" | "acot" => "write pi/2 - arctan(x)",
         "log" => "write the natural logarithm as ln(x), the logarithm to base b as ln(x)/ln(b)",
         "lg" | "log10" => "write ln(x)/ln(10)",
@@ -49,6 +49,8 @@ pub fn foreign(word: &str) -> Option<&'static str> {
         "Re" | "Im" | "conj" => COMPLEX,
         "tr" => "write trace(M)",
         "inv" => "write inverse(M)",
+        "gamma" | "Gamma" => "there is no gamma function; for a whole number n write (n - 1)!",
+        "erf" | "erfc" => "there is no error function; write the integral, integral(t = 0..x, exp(-t^2))",
         "choose" | "binom" => "write binomial(n, k)",
         "oo" | "inf" | "Infinity" | "infinity" => END,
         // Whole numbers.
@@ -65,14 +67,14 @@ pub fn foreign(word: &str) -> Option<&'static str> {
         }
         // Sums, derivatives, limits, extrema.
         "Sum" | "∑" => SUM,
-        "Product" | "∏" => "write product(k = 1..n, f)",
+        "prod" | "Prod" | "Product" | "∏" => "write product(k = 1..n, f)",
         "int" | "integrate" | "Integrate" | "∫" => INTEGRAL,
         "diff" | "Derivative" | "D" | "dx" | "∂" => "write derivative(f, x)",
         "O" => "an order ends an equation and says where the variable goes: `f(x) = 1 + x + O(x^2) as x -> 0`",
         "o" => "there is no o(…); state a bound with a constant, such as |f - g| <= C*h^2 for h in (0, 1)",
         "lim" | "Limit" | "limit" | "to" | "tends" => LIMIT,
-        "max of" | "maximum" | "maximize" | "argmax" => GREATEST,
-        "min of" | "minimum" | "minimize" | "argmin" => LEAST,
+        "max of" | "max over" | "maximum" | "maximize" | "argmax" => GREATEST,
+        "min of" | "min over" | "minimum" | "minimize" | "argmin" => LEAST,
         "sup" | "sup of" | "supremum" => {
             "there is no sup; where it is reached write `maximum of f over x in [0, 1] is M`, for a bound `for all x in [0, 1]: f <= M`"
         }

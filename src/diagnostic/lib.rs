@@ -120,6 +120,10 @@ impl Diagnostic {
     pub fn help(&self) -> Option<String> {
         match &self.fault {
             Fault::Expected { help, .. } | Fault::Other { help, .. } => help.clone(),
+            Fault::Undeclared { name, applied: true, .. } if name.ends_with('\'') => {
+                let of = name.trim_end_matches('\'');
+                Some(format!("for a derivative write derivative({of}(x), x)"))
+            }
             Fault::Undeclared { name, nearest, applied } => Some(match (foreign(name), nearest) {
                 (Some(instead), _) => instead.to_string(),
                 (None, Some(nearest)) => format!("did you mean {nearest}?"),

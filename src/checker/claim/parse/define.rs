@@ -54,7 +54,8 @@ impl Parser {
                     step.shift,
                     wanted.join(", ")
                 );
-                return Err(self.other(&message, Some("give each of these once, and no other"), step.span));
+                let help = "give each of these once, and no other; a sequence that begins at 1 is `u(0) = a` with u(k) for its member k + 1";
+                return Err(self.other(&message, Some(help), step.span));
             }
             order = order.max(step.shift);
         }
@@ -106,7 +107,10 @@ impl Parser {
         let mut index = None;
         if !matches!(self.peek(), Kind::Number(_)) {
             index = Some(self.name("the index name")?);
-            self.need_sign("+", "and how far on the next member is")?;
+            if !self.sign("+") {
+                let help = "write the step for the next member: `u(k + 1) = 2*u(k)`".to_string();
+                return Err(self.expected_with("`+` and how far on the next member is", Some(help)));
+            }
         }
         let shift = match self.peek() {
             Kind::Number(text) => text.parse::<usize>().ok(),

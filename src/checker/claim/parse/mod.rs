@@ -400,6 +400,15 @@ impl Parser {
                 (Some(Kind::Word(w)), _) if expected == "`of`" => foreign(w).map(str::to_string),
                 (Some(Kind::Word(w)), Kind::Sign("!")) if w == "exists" => foreign("exists !").map(str::to_string),
                 (_, Kind::Word(w)) if expected == END_OF_CLAUSE => behind_a_statement(w).map(str::to_string),
+                (_, Kind::Sign(";")) if expected == END_OF_CLAUSE => Some("begin the next `let` or `assume` on a line of its own".to_string()),
+                (_, Kind::Sign(",")) if expected == END_OF_CLAUSE && self.peek_at(2) != &Kind::Sign("->") => {
+                    Some("join two statements by `and`; begin the next `let` or `assume` on a line of its own".to_string())
+                }
+                (_, Kind::Word(w)) if w == "is" && expected.starts_with("a comparison sign") => Some(
+                    "say it with numbers: that f rises is `for all x, y > 0: x < y => f(x) < f(y)`, its greatest value is `maximum of f(x) \
+                     over x > 0 at x = 1 is 2`"
+                        .to_string(),
+                ),
                 (_, Kind::Sign(",")) if expected == END_OF_CLAUSE && self.peek_at(2) == &Kind::Sign("->") => {
                     Some("say where a variable goes by `as`: `sin(x) = x + O(x^3) as x -> 0`".to_string())
                 }
@@ -525,8 +534,10 @@ impl Parser {
             if is_label || is_name || at + 1 < self.at && word.len() <= 2 {
                 continue;
             }
-            if matches!(next, Some(Token { kind: Kind::Word(of), .. }) if of == "of") {
-                let form = format!("{word} of");
+            if let Some(Token { kind: Kind::Word(next), .. }) = next
+                && ["of", "over"].contains(&next.as_str())
+            {
+                let form = format!("{word} {next}");
                 if let Some(help) = foreign(&form) {
                     return Some((form, token.span, help));
                 }
