@@ -124,6 +124,7 @@ struct Attempt {
     /// Facts that signs are read from besides.
     read: Vec<Label>,
     steps: Vec<Step>,
+    deadline: Option<Moment>,
 }
 
 impl Refuter<'_> {
@@ -137,7 +138,7 @@ impl Refuter<'_> {
         checker.watched_by(prove::until(self.deadline));
         let labels: Vec<Label> = checker.facts().map(|(label, _)| label.to_string()).collect();
         let given = labels.get(labels.len().checked_sub(refutes.point.len())?..)?.to_vec();
-        Some(Attempt { refutes, claim, checker, given, read: Vec::new(), steps: Vec::new() })
+        Some(Attempt { refutes, claim, checker, given, read: Vec::new(), steps: Vec::new(), deadline: self.deadline })
     }
 
     /// The goal is false at the point.
@@ -373,7 +374,8 @@ impl Attempt {
     /// The truth of a quantified part at the point, if the evaluator knows it.
     fn truth(&self, p: &Prop) -> Option<bool> {
         let alone = Assignment { is_pi: !self.checker.statement().declares(PI), ..Assignment::default() };
-        let mut here = alone.clone();
+        // What is quantified is searched for values, which ends with the time that is left.
+        let mut here = Assignment { until: self.deadline, ..alone.clone() };
         for (place, value) in &self.refutes.point {
             if let (ExprKind::Name(n), Ok(number)) = (&place.kind, alone.number(value)) {
                 here.give(n, number);
