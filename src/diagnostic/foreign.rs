@@ -136,6 +136,16 @@ pub fn domain(word: &str) -> Option<&'static str> {
     })
 }
 
+/// What to write instead of a keyword that stands behind a statement, as it does in other languages.
+pub fn behind_a_statement(word: &str) -> Option<&'static str> {
+    Some(match word {
+        "for" => "write the quantifier before what it says: `for all x > 0: x + 1/x >= 2`",
+        "with" => "write the condition as a hypothesis before `prove`: `assume a + b + c = 1`",
+        "at" => "write the place before the value: `maximum of x*(2 - x) over x real at x = 1 is 1`",
+        _ => return None,
+    })
+}
+
 /// Whether a word binds a variable in other languages, so that a variable in its arguments needs no declaration.
 pub fn binds(word: &str) -> bool {
     matches!(word, "lim" | "Limit" | "int" | "integrate" | "Integrate" | "Sum" | "Product")

@@ -6,7 +6,7 @@
 mod foreign;
 mod source;
 
-pub use foreign::{binds, domain, foreign};
+pub use foreign::{behind_a_statement, binds, domain, foreign};
 pub use source::Source;
 
 use annotate_snippets::{AnnotationKind, Group, Level, Renderer, Snippet};

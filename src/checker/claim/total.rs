@@ -1,8 +1,8 @@
 //! Expressions that, by their form, have a value wherever the hypotheses hold.
 //!
 //! What the reader writes as a hypothesis, a floor or a recurrence, says that its expressions have values, which a definition does
-//! not say. It asks here first. An expression has a value by its form if it divides by what is not 0, takes roots of what is not
-//! negative and logarithms of what is positive, as declarations and hypotheses before it and the signs of its parts show.
+//! not say. It asks here first. An expression has a value by its form if the signs of its parts show it: it divides by what is not 0,
+//! and takes roots of what is not negative and logarithms of what is positive. Declarations and hypotheses before it tell signs.
 
 use super::definedness::number;
 use super::preamble::applied;

@@ -88,11 +88,8 @@ impl Prover {
 
     /// Puts closed forms in an expression, and adds the facts that say what they stand for.
     fn with_closed_members(&mut self, e: &mut Expr, all: &[Closed], labels: &mut Vec<Label>) -> Result<(), Fail> {
-        if let Some(closed) = all.iter().find(|closed| is_member(e, &closed.sequence)) {
-            let ExprKind::Apply(_, at) = &e.kind else { return Ok(()) };
-            let [at] = at.as_slice() else { return Ok(()) };
-            labels.push(self.instance(&closed.every, at)?);
-            *e = put_in(&closed.value, &closed.index, at)?;
+        if let Some((every, at)) = put_closed_form(e, all)? {
+            labels.push(self.instance(every, &at)?);
             return Ok(());
         }
         if !all.iter().any(|closed| holds_member(e, &closed.sequence)) {
@@ -103,18 +100,15 @@ impl Prover {
                 let is_sum = matches!(e.kind, ExprKind::SumOver(..));
                 let k = self.fresh("k");
                 let own = put_in(body, &index.name.text, &name(&k))?;
-                let mut closed = own.clone();
+                let (mut closed, mut used) = (own.clone(), Vec::new());
+                in_closed_form(&mut closed, all, &mut used)?;
                 let binding = Binding::of(Name::new(&k), true, Vec::new());
                 let equal = |closed: &Expr| compare(own.clone(), Relation::Equal, closed.clone());
-                // Once to see what it becomes, which the block then says.
-                for closed_form in all {
-                    in_closed_form(&mut closed, closed_form)?;
-                }
                 let every = prop(PropKind::ForAll(vec![binding], Box::new(equal(&closed))));
                 let from = self.block(&every, |c, _| {
-                    let mut labels = Vec::new();
-                    c.with_closed_members(&mut own.clone(), all, &mut labels)?;
-                    labels.iter().for_each(|label| c.put_in(label));
+                    let labels: Result<Vec<Label>, Fail> =
+                        used.iter().map(|(every, at)| c.instance(every, at)).collect();
+                    labels?.iter().for_each(|label| c.put_in(label));
                     c.combination(equal(&closed), Vec::new())
                 })?;
                 let closed = put_in(&closed, &k, &name(&index.name.text))?;
@@ -138,17 +132,25 @@ impl Prover {
     }
 }
 
-/// Puts one closed form in the place of the members of its sequence that stand in no sum, product, integral or derivative.
-fn in_closed_form(e: &mut Expr, closed: &Closed) -> Result<(), Fail> {
+/// Puts its closed form in the place of a member, and returns the fact that says so with the member's index.
+fn put_closed_form<'a>(e: &mut Expr, all: &'a [Closed]) -> Result<Option<(&'a Label, Expr)>, Fail> {
+    let Some(closed) = all.iter().find(|closed| is_member(e, &closed.sequence)) else { return Ok(None) };
+    let ExprKind::Apply(_, at) = &e.kind else { return Ok(None) };
+    let [at] = at.as_slice() else { return Ok(None) };
+    let at = at.clone();
+    *e = put_in(&closed.value, &closed.index, &at)?;
+    Ok(Some((&closed.every, at)))
+}
+
+/// Puts closed forms in the place of members that stand in no sum, product, integral or derivative, and notes those that it used.
+fn in_closed_form<'a>(e: &mut Expr, all: &'a [Closed], used: &mut Vec<(&'a Label, Expr)>) -> Result<(), Fail> {
+    if let Some(one) = put_closed_form(e, all)? {
+        used.push(one);
+        return Ok(());
+    }
     match &e.kind {
-        ExprKind::Apply(_, at) if is_member(e, &closed.sequence) => {
-            if let [at] = at.as_slice() {
-                *e = put_in(&closed.value, &closed.index, at)?;
-            }
-            Ok(())
-        }
         ExprKind::SumOver(..) | ExprKind::ProductOver(..) | ExprKind::IntegralOver(..) | ExprKind::Derivative(..)
-            if holds_member(e, &closed.sequence) =>
+            if all.iter().any(|closed| holds_member(e, &closed.sequence)) =>
         {
             Err(Fail::No("a member under one index"))
         }
@@ -156,7 +158,7 @@ fn in_closed_form(e: &mut Expr, closed: &Closed) -> Result<(), Fail> {
             let mut done = Ok(());
             parts_mut(e, &mut |part| {
                 if done.is_ok() {
-                    done = in_closed_form(part, closed);
+                    done = in_closed_form(part, all, used);
                 }
             });
             done

@@ -150,7 +150,7 @@ impl Prover {
         if let Ok(label) = self.attempt(|c| c.by_exponents(goal)) {
             return Ok(label);
         }
-        if let Ok(label) = self.on_its_own(|c| c.by_roots_of_sides(a, relation, b, goal)) {
+        if let Ok(label) = self.on_its_own(|c| c.by_roots_of_sides(goal, a, relation, b)) {
             return Ok(label);
         }
         if let Ok(label) = self.attempt(|c| c.by_signs_of_factors(goal)) {

@@ -5,9 +5,9 @@
 
 use super::angles::may_be_an_angle;
 use super::arcs::quarter_turn;
-use super::facts::{minus, opposite};
+use super::facts::{minus, opposite, scaled};
 use super::{Fail, Prover, implies};
-use crate::certificate::{Label, Rule, Term};
+use crate::certificate::{Label, Rule};
 use crate::claim::syntax::*;
 use crate::kernel::statement::{apply, compare, expr, name, numeral, sum};
 use malachite::base::num::arithmetic::traits::{Ceiling, Floor};
@@ -22,16 +22,16 @@ impl Prover {
         if self.within_arcs || self.splits >= 8 {
             return Err(no());
         }
-        let mut sides = Vec::new();
-        super::goals::sides_in(goal, &mut sides);
-        sides.iter().for_each(|e| self.define(e));
-        self.enrich(&sides.iter().collect::<Vec<_>>());
+        // The sides are defined already; the facts about them are added only where angles are compared.
         let mut names = std::collections::BTreeSet::new();
         crate::kernel::names::names_in_prop(goal, &mut names);
         let angles: Vec<String> = self.angles().into_iter().filter(|n| names.contains(n)).collect();
         if angles.is_empty() {
             return Err(no());
         }
+        let mut sides = Vec::new();
+        super::goals::sides_in(goal, &mut sides);
+        self.enrich(&sides.iter().collect::<Vec<_>>());
         let letters = self.letters_in(&sides.iter().collect::<Vec<_>>());
         if !letters.iter().all(may_be_an_angle) || !self.speaks_of_turns(&letters) {
             return Err(no());
@@ -75,9 +75,8 @@ impl Prover {
     }
 
     fn is_beside(&mut self, angle: &str, quarters: i64, relation: Relation) -> bool {
-        let difference = minus(&name(angle), &quarter_turn(quarters));
-        let length =
-            if relation == Relation::LessEqual { minus(&quarter_turn(quarters), &name(angle)) } else { difference };
+        let (angle, place) = (name(angle), quarter_turn(quarters));
+        let length = if relation == Relation::LessEqual { minus(&place, &angle) } else { minus(&angle, &place) };
         self.are_lengths(&[length], Relation::GreaterEqual)
     }
 
@@ -136,8 +135,8 @@ impl Prover {
             let less = minus(angle, &quarter_turn(from));
             let named = c.emit(Rule::Name, compare(less, Relation::Equal, rest.clone()))?;
             let whole = sum(vec![(Sign::Plus, rest), (Sign::Plus, quarter_turn(from))]);
-            let term = Term { facts: vec![named], factor: numeral(1) };
-            let equation = c.combination(compare(angle.clone(), Relation::Equal, whole), vec![term])?;
+            let equation = compare(angle.clone(), Relation::Equal, whole);
+            let equation = c.combination(equation, vec![scaled(&named, numeral(1))])?;
             let equations = std::mem::replace(&mut c.equations, vec![equation]);
             let shown = c.combination(sign.clone(), Vec::new());
             c.equations = equations;

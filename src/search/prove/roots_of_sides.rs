@@ -5,9 +5,10 @@
 //!
 //! Certificate: the comparison of the roots, raised to E by the rule `monotone`, and (b^(1/E))^E = b by the rule `power`.
 
+use super::facts::scaled;
 use super::limits::over;
 use super::{Fail, Prover};
-use crate::certificate::{Label, Rule, Term};
+use crate::certificate::{Label, Rule};
 use crate::claim::syntax::*;
 use crate::kernel::order::Signs;
 use crate::kernel::statement::{compare, numeral, power};
@@ -16,10 +17,10 @@ impl Prover {
     /// Shows an order between a power to a natural variable and another side. A root has no such exponent, so that this ends.
     pub(super) fn by_roots_of_sides(
         &mut self,
+        goal: &Prop,
         a: &Expr,
         relation: Relation,
         b: &Expr,
-        goal: &Prop,
     ) -> Result<Label, Fail> {
         let no = || Fail::No("a power to a variable");
         if self.in_bernoulli || matches!(relation, Relation::Equal | Relation::NotEqual) {
@@ -40,8 +41,7 @@ impl Prover {
             let back = power(&root, exponent);
             let raised = self.emit(Rule::Monotone { from: rooted }, ordered(side, &back, relation))?;
             let same = self.plainly(Rule::Power, &ordered(&back, other, Relation::Equal))?;
-            let terms = [raised, same].map(|label| Term { facts: vec![label], factor: numeral(1) });
-            return self.combination(goal.clone(), terms.to_vec());
+            return self.combination(goal.clone(), vec![scaled(&raised, numeral(1)), scaled(&same, numeral(1))]);
         }
         Err(no())
     }

@@ -19,13 +19,19 @@ const BOUND: &str = "a value put in where a name is bound";
 /// The same where it is that of a derivative or limit.
 const MOVES: &str = "a value, or what depends on it, put in for the variable of a derivative or limit";
 
+impl From<Refusal> for Limit {
+    fn from(refusal: Refusal) -> Limit {
+        match refusal {
+            Refusal::Limit(name) => Limit(name),
+            Refusal::Rejected(Reason::Moves(_)) => Limit(MOVES),
+            Refusal::Rejected(_) => Limit(BOUND),
+        }
+    }
+}
+
 impl From<Obstacle> for Limit {
     fn from(obstacle: Obstacle) -> Limit {
-        match obstacle {
-            Obstacle::Limit(name) => Limit(name),
-            Obstacle::Moves(_) => Limit(MOVES),
-            _ => Limit(BOUND),
-        }
+        Refusal::from(obstacle).into()
     }
 }
 
@@ -65,11 +71,7 @@ impl Statement {
 
     /// The statement of a claim.
     pub fn of(claim: &Claim) -> Result<Statement> {
-        let (understood, lets) = statement::Statement::with_lets(claim).map_err(|refusal| match refusal {
-            Refusal::Limit(name) => Limit(name),
-            Refusal::Rejected(Reason::Moves(_)) => Limit(MOVES),
-            Refusal::Rejected(_) => Limit(BOUND),
-        })?;
+        let (understood, lets) = statement::Statement::with_lets(claim)?;
         let labels = claim.items.iter().filter_map(|item| match item {
             Item::Assume { label, .. } => Some(label.as_ref().map(|l| l.text.clone())),
             _ => None,

@@ -15,7 +15,7 @@ mod proposition;
 mod unit;
 mod well_founded;
 
-use super::diagnostic::{Diagnostic, Fault, domain, foreign, nearest};
+use super::diagnostic::{Diagnostic, Fault, behind_a_statement, domain, foreign, nearest};
 use super::lex::{FILE_LIMIT, Kind, Token, tokens};
 use super::preamble::Preamble;
 use super::print::Style;
@@ -93,18 +93,6 @@ fn is_function(word: &str) -> bool {
 
 /// What a parser expects behind a clause.
 const END_OF_CLAUSE: &str = "the end of the clause";
-
-/// What to write instead of a word that other languages have behind a statement.
-fn behind_a_statement(word: &str) -> Option<&'static str> {
-    Some(match word {
-        "for" => "write the quantifier before what it says: `for all x > 0: x + 1/x >= 2`",
-        "with" | "where" | "when" | "if" => {
-            "write the condition as a hypothesis before `prove`: `assume a + b + c = 1`"
-        }
-        "at" => "write the place before the value: `maximum of x*(2 - x) over x real at x = 1 is 1`",
-        _ => return None,
-    })
-}
 
 /// Whether a word begins a clause of a claim.
 pub fn begins_clause(word: &str) -> bool {
