@@ -2,12 +2,13 @@
 //!
 //! Contract: [`number`] reads one number or one measured value, [`list`] reads several. Both change the spelling and
 //! never the value: `.9` and `0,9` are `0.9`, `90 %` is `0.90`, `1 000` is `1000`, `−3` with the sign U+2212 is `-3`,
-//! `5 1/2` is `11/2`, `2·10^3` is `2e3`. A text with two readings, such as `1,000`, is refused with both of them. Whatever is
-//! no number in any of these spellings is handed on as it is, so that the reader of numerals says what is wrong with it.
+//! `5 1/2` is `11/2`, `2·10^3` and `2·10³` are `2e3`, `2*5` is `10`. A text with two readings, such as `1,000` or `1/2*3`, is
+//! refused with both of them. Whatever is no number in any of these spellings is handed on as it is, so that the reader of numerals says what is wrong with it.
 //! [`read`] is both readers, one after the other.
 
 use super::rational::{self, NumeralError};
 use malachite::Rational;
+use malachite::base::num::basic::traits::One;
 
 /// Why a text has no one reading.
 #[derive(Debug, PartialEq, Eq)]
@@ -32,6 +33,24 @@ pub fn read(text: &str) -> Result<Rational, NumeralError> {
 const BLANKS: [char; 4] = [' ', '\u{a0}', '\u{2009}', '\u{202f}'];
 /// Signs of a measured value.
 const PLUS_MINUS: [&str; 3] = ["±", "+/-", "+-"];
+/// Signs between the factors of a product.
+const TIMES: [char; 4] = ['·', '*', '×', '⋅'];
+/// The most factors of a product.
+const MAX_FACTORS: usize = 8;
+/// Raised digits and signs.
+const RAISED: [(char, char); 11] = [
+    ('⁰', '0'),
+    ('¹', '1'),
+    ('²', '2'),
+    ('³', '3'),
+    ('⁴', '4'),
+    ('⁵', '5'),
+    ('⁶', '6'),
+    ('⁷', '7'),
+    ('⁸', '8'),
+    ('⁹', '9'),
+    ('⁻', '-'),
+];
 /// Fractions that have a character of their own.
 const VULGAR: [(char, &str); 8] =
     [('½', "1/2"), ('⅓', "1/3"), ('⅔', "2/3"), ('¼', "1/4"), ('¾', "3/4"), ('⅕', "1/5"), ('⅛', "1/8"), ('⅒', "1/10")];
@@ -167,6 +186,9 @@ fn hundredth(plain: &str) -> String {
 
 /// A number without sign and percent; `None` where it is none of these spellings.
 fn unsigned(text: &str) -> Result<Option<String>, Unclear> {
+    if text.contains(TIMES) && power(text).is_none_or(|(mantissa, _)| mantissa.contains(TIMES)) {
+        return product(text);
+    }
     if let Some((c, fraction)) = text.chars().last().and_then(|c| VULGAR.iter().find(|(v, _)| *v == c)) {
         let whole = text.trim_end_matches(*c).trim();
         return mixed(if whole.is_empty() { "0" } else { whole }, fraction);
@@ -220,13 +242,40 @@ fn unsigned(text: &str) -> Result<Option<String>, Unclear> {
     }))
 }
 
-/// Mantissa and exponent of `10^3`, `2·10^3`, `2*10^-3` or `2×10^3`.
+/// The value of a product of numbers; `None` where a factor is none. Only the last factor may be written with a `/`: what
+/// stands below the line of an earlier one is unclear.
+fn product(text: &str) -> Result<Option<String>, Unclear> {
+    let factors: Vec<&str> = text.split(TIMES).map(str::trim).collect();
+    let Some((_, earlier)) = factors.split_last().filter(|_| factors.len() <= MAX_FACTORS) else { return Ok(None) };
+    let mut value = Rational::ONE;
+    for factor in &factors {
+        let Some(plain) = unsigned(factor)? else { return Ok(None) };
+        let Ok(number) = rational::parse(&plain) else { return Ok(None) };
+        value *= number;
+    }
+    let divided = |factor: &&&str| factor.contains(['/', '\u{2044}']);
+    if let Some(factor) = earlier.iter().find(divided) {
+        let message = format!(
+            "{text:?} has two readings: {factor} times what follows, or all of that below the line; write one number"
+        );
+        return Err(Unclear(message));
+    }
+    Ok(Some(value.to_string()))
+}
+
+/// Mantissa and exponent of `10^3`, `10³`, `2·10^3`, `2*10^-3` or `2×10^3`.
 fn power(text: &str) -> Option<(&str, String)> {
-    let (before, exponent) = text.split_once('^')?;
-    let exponent = exponent.trim().replace('\u{2212}', "-");
+    let plain = |c: char| RAISED.iter().find(|(raised, _)| *raised == c).map(|(_, plain)| *plain);
+    let (before, exponent) = match text.split_once('^') {
+        Some((before, exponent)) => (before, exponent.trim().replace('\u{2212}', "-")),
+        None => {
+            let before = text.trim_end_matches(|c| plain(c).is_some());
+            (before, text[before.len()..].chars().filter_map(plain).collect())
+        }
+    };
     let exponent = exponent.strip_prefix('{').and_then(|inside| inside.strip_suffix('}')).unwrap_or(&exponent);
     let before = before.trim_end().strip_suffix("10")?.trim_end();
-    let mantissa = match before.strip_suffix(['·', '*', '×', '⋅']) {
+    let mantissa = match before.strip_suffix(TIMES) {
         Some(mantissa) => mantissa.trim_end(),
         None if before.is_empty() => "1",
         None => return None,
@@ -297,6 +346,16 @@ mod tests {
             ("10^3", "1e3"),
             ("2,5·10^−3", "2.5e-3"),
             ("2 * 10^{3}", "2e3"),
+            ("10³", "1e3"),
+            ("2,25 · 10⁻³", "2.25e-3"),
+            ("2*5", "10"),
+            ("2·5", "10"),
+            ("-0,5 × 3", "-3/2"),
+            ("2 * 3*10^2", "600"),
+            ("2*50 %", "1.00"),
+            ("2*5/4", "5/2"),
+            ("2·½", "1"),
+            ("1 000*2", "2000"),
             ("9\u{2044}16", "9/16"),
             ("1 000", "1000"),
             ("12\u{202f}345,5", "12345.5"),
@@ -341,6 +400,8 @@ mod tests {
         assert!(number("1,000").expect_err("two readings").0.contains("write 1000 or 1.000"));
         assert!(refused(list("0,1", share)).contains("write 0.1 if"), "0 and 1, or a tenth");
         assert!(refused(list("5,2", positive)).contains("5; 2"));
+        assert!(number("1/2*3").expect_err("3/2 or 1/6").0.contains("write one number"));
+        assert!(number("1,000*2").expect_err("2000 or 2").0.contains("write 1000 or 1.000"));
     }
 
     #[test]
@@ -386,7 +447,10 @@ mod tests {
     #[test]
     fn what_is_no_number_is_handed_on() {
         assert_eq!(number("1 ± 2 %%").as_deref(), Ok("1 ± 2 %%"));
-        for text in ["ten", "1,", "", "1.2.3", "1 00", "12 34", "1/0", "√2", "10*2", "--3", "++3", "5 5", "1,2,3"] {
+        for text in [
+            "ten", "1,", "", "1.2.3", "1 00", "12 34", "1/0", "√2", "10*", "*2", "2*-3", "2**3", "2*(3)", "2^3",
+            "10^^2", "--3", "++3", "5 5", "1,2,3",
+        ] {
             let plain = number(text).expect("no second reading");
             assert!(rational::parse(&plain).is_err(), "{text}: {plain}");
         }
