@@ -19,7 +19,7 @@ use crate::refute::outcome::{Fault, Verdict};
 use crate::report::{self, Audit, Entry, Problem, counted};
 use std::cell::RefCell;
 use std::collections::BTreeSet;
-use std::io::{IsTerminal, Write};
+use std::io::IsTerminal;
 use std::path::{Path, PathBuf};
 
 /// Claims ready to be judged, with the source texts for error messages.
@@ -331,8 +331,7 @@ fn streamed(
         let all = loaded.claims().iter().filter(|c| only.is_empty() || only.contains(&c.name.text)).count();
         let message = format!("interrupted: {} of {} are judged", audit.entries.len(), counted(all, "claim"));
         audit.problems.push(Problem { name: "audit".to_owned(), message: message.clone() });
-        let message = finish(&audit).map_or_else(|exit| exit.message, |()| message);
-        let _ = writeln!(anstream::stderr(), "{message}");
+        finish(&audit).map_or_else(|exit| exit.message, |()| message)
     };
     let found = stream::judged(loaded, only, settings, &mut tell, &leave);
     let (audit, messages) = audit_of(loaded, found);

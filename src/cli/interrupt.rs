@@ -5,11 +5,17 @@
 //! a second one ends at once. There is one state for the whole program: what is asked for is never forgotten.
 
 use super::Exit;
+use std::io::Write;
 use std::sync::Once;
 use std::sync::atomic::{AtomicU8, Ordering};
+use std::sync::mpsc::{Receiver, RecvTimeoutError};
+use std::time::Duration;
 
 /// The exit code of a program that was interrupted.
 pub(crate) const INTERRUPTED: u8 = 130;
+
+/// How often Ctrl-C is looked for while nothing is heard.
+const TICK: Duration = Duration::from_millis(50);
 
 /// Ctrl-C ends the program.
 const AT_ONCE: u8 = 0;
@@ -53,6 +59,16 @@ pub(crate) fn at_once() -> Result<(), Exit> {
     }
 }
 
+/// What somebody who waits for the workers hears.
+pub(super) enum Heard<T> {
+    /// A result.
+    News(T),
+    /// All workers have ended.
+    End,
+    /// Ctrl-C was pressed, and all results until then have been heard.
+    Interrupted,
+}
+
 /// Work that looks at whether somebody has asked for an end.
 #[derive(Clone, Copy)]
 pub(super) struct Interrupt(());
@@ -68,5 +84,28 @@ impl Interrupt {
     /// Whether an end is asked for.
     pub(super) fn asked(self) -> bool {
         STATE.load(Ordering::SeqCst) == ASKED
+    }
+
+    /// Waits for the next result of the workers, for their end or for Ctrl-C.
+    pub(super) fn next<T>(self, receiver: &Receiver<T>) -> Heard<T> {
+        loop {
+            if let Ok(news) = receiver.try_recv() {
+                return Heard::News(news);
+            }
+            if self.asked() {
+                return Heard::Interrupted;
+            }
+            match receiver.recv_timeout(TICK) {
+                Ok(news) => return Heard::News(news),
+                Err(RecvTimeoutError::Disconnected) => return Heard::End,
+                Err(RecvTimeoutError::Timeout) => {}
+            }
+        }
+    }
+
+    /// Ends the program while its workers still work; `message` says what was written.
+    pub(super) fn end(self, message: &str) -> ! {
+        let _ = writeln!(anstream::stderr(), "{message}");
+        std::process::exit(i32::from(INTERRUPTED));
     }
 }

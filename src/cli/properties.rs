@@ -2,6 +2,7 @@
 
 use super::audit::{Loaded, readable};
 use super::form::{self, form};
+use super::interrupt::{Heard, Interrupt, interrupted};
 use super::output::write_file;
 use super::progress::Progress;
 use super::{Exit, deliver, junit, terminal};
@@ -10,13 +11,13 @@ use crate::claim::syntax::{Claim, Expectation, Item};
 use crate::judge::hand::AtHand;
 use crate::property::law::{Failure, Found, Outcome, Settings, again as tried_again, tried};
 use crate::refute::outcome::Point;
-use crate::report::{counted, visible};
+use crate::report::{Problem, counted, visible};
 use quick_junit::TestCaseStatus;
 use serde_json::{Value, json};
 use std::hash::{BuildHasher, RandomState};
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicU64, AtomicUsize, Ordering::Relaxed};
-use std::sync::{Mutex, PoisonError};
+use std::sync::mpsc::{Sender, channel};
 use std::time::Duration;
 
 /// The most points for one claim.
@@ -89,7 +90,8 @@ impl Row<'_> {
     }
 }
 
-/// Runs the command. The exit code is 1 if an outcome is not as expected, 3 if a requested claim could not be tried.
+/// Runs the command. The exit code is 1 if an outcome is not as expected, 3 if a requested claim could not be tried. After
+/// Ctrl-C the report has the claims that were tried by then.
 pub(super) fn run(flags: &Flags) -> Result<u8, Exit> {
     let loaded = readable(&flags.paths, &flags.only)?.with_certificates(false)?;
     let format = form(flags.format, flags.output.as_deref())?;
@@ -100,21 +102,38 @@ pub(super) fn run(flags: &Flags) -> Result<u8, Exit> {
     // The hasher of the standard library starts from numbers of the operating system.
     let seed = flags.seed.unwrap_or_else(|| RandomState::new().hash_one("seed"));
     let settings = Settings { cases: flags.cases, seed, time: Duration::from_secs(flags.time) };
-    let rows = rows(&loaded, flags, &settings)?;
+    let wanted = |claim: &&Claim| flags.only.is_empty() || flags.only.contains(&claim.name.text);
+    let claims: Vec<&Claim> = loaded.claims().iter().filter(wanted).collect();
+    let earlier = claims.iter().map(|claim| earlier(claim, flags)).collect::<Result<Vec<_>, _>>()?;
     let (problems, messages): (Vec<_>, Vec<_>) = loaded.unread().into_iter().unzip();
-    let text = match format {
-        Form::Text => text(&rows, &settings),
-        Form::Json => json(&rows, &settings),
-        Form::Junit => {
-            let cases = rows.iter().map(|row| {
-                let claim = row.claim;
-                let section = claim.section.as_deref();
-                junit::case(&claim.name.text, &claim.title, section, status(row), &|name| loaded.place(name))
-            });
-            junit::suite("carom test", cases, &problems)
-        }
+    let left = |outcomes: Vec<Option<Outcome>>| {
+        // A claim that makes no sense was not tried.
+        let known = |outcome: &Option<Outcome>| outcome.as_ref().is_some_and(|o| !matches!(o, Outcome::Fault(_)));
+        let tried = claims.iter().copied().zip(outcomes).filter(|(_, outcome)| known(outcome));
+        let mut rows: Vec<Row> =
+            tried.filter_map(|(claim, outcome)| Some(row_of(claim, outcome?, flags, &settings))).collect();
+        let message = format!("interrupted: {} of {} are tried", rows.len(), counted(claims.len(), "claim"));
+        let mut problems = loaded.unread().into_iter().map(|(problem, _)| problem).collect::<Vec<_>>();
+        problems.push(Problem { name: "test".to_owned(), message: message.clone() });
+        let written = save(&mut rows, flags).and_then(|()| write(&rows, &problems, format, flags, &settings, &loaded));
+        written.map_or_else(|exit| exit.message, |()| message)
     };
-    deliver(flags.output.as_deref(), &text)?;
+    let outcomes = on_all_cores(&claims, &earlier, &settings, loaded.hand(), &left);
+    let mut rows = Vec::new();
+    for (claim, outcome) in claims.iter().copied().zip(outcomes) {
+        let name = &claim.name.text;
+        match outcome {
+            Some(Outcome::Fault(fault)) => return Err(loaded.failure(name, fault)),
+            Some(outcome) => rows.push(row_of(claim, outcome, flags, &settings)),
+            None => return Err(Exit { code: 101, message: format!("{name}: the program failed; please report this") }),
+        }
+    }
+    // No file is written before all claims are tried.
+    save(&mut rows, flags)?;
+    write(&rows, &problems, format, flags, &settings, &loaded)?;
+    if Interrupt::listen().asked() {
+        return Err(interrupted("everything is written"));
+    }
     if !messages.is_empty() {
         return Err(Exit::usage(messages.join("\n")));
     }
@@ -126,37 +145,47 @@ pub(super) fn run(flags: &Flags) -> Result<u8, Exit> {
     })
 }
 
-/// Tries the claims.
-fn rows<'a>(loaded: &'a Loaded, flags: &Flags, settings: &Settings) -> Result<Vec<Row<'a>>, Exit> {
-    let wanted = |claim: &&Claim| flags.only.is_empty() || flags.only.contains(&claim.name.text);
-    let claims: Vec<&Claim> = loaded.claims().iter().filter(wanted).collect();
-    let total = claims.len() as u64 * u64::from(settings.cases);
-    let progress = Progress::rows(0, total);
-    let earlier = claims.iter().map(|claim| earlier(claim, flags)).collect::<Result<Vec<_>, _>>()?;
-    let outcomes = on_all_cores(&claims, &earlier, settings, loaded.hand(), &progress);
-    progress.finish();
-    let mut rows = Vec::new();
-    for (claim, outcome) in claims.into_iter().zip(outcomes) {
-        let name = &claim.name.text;
-        match outcome {
-            Some(Outcome::Fault(fault)) => return Err(loaded.failure(name, fault)),
-            Some(outcome) => rows.push(Row { claim, outcome, saved: None, again: again(flags, settings, name) }),
-            None => return Err(Exit { code: 101, message: format!("{name}: the program failed; please report this") }),
-        }
-    }
-    // No file is written before all claims are tried.
-    if let Some(folder) = &flags.save {
-        for row in &mut rows {
-            if let Outcome::Failed(failure) = &row.outcome {
-                let path = file_of(folder, row.claim);
-                if failure.found != Found::Saved {
-                    write_file(&path, &as_claim(row.claim, failure, &row.again))?;
-                }
-                row.saved = Some(path.display().to_string());
+fn row_of<'a>(claim: &'a Claim, outcome: Outcome, flags: &Flags, settings: &Settings) -> Row<'a> {
+    Row { claim, outcome, saved: None, again: again(flags, settings, &claim.name.text) }
+}
+
+/// Writes the counterexamples into the folder of `--save`.
+fn save(rows: &mut [Row], flags: &Flags) -> Result<(), Exit> {
+    let Some(folder) = &flags.save else { return Ok(()) };
+    for row in rows {
+        if let Outcome::Failed(failure) = &row.outcome {
+            let path = file_of(folder, row.claim);
+            if failure.found != Found::Saved {
+                write_file(&path, &as_claim(row.claim, failure, &row.again))?;
             }
+            row.saved = Some(path.display().to_string());
         }
     }
-    Ok(rows)
+    Ok(())
+}
+
+/// Writes the report.
+fn write(
+    rows: &[Row],
+    problems: &[Problem],
+    format: Form,
+    flags: &Flags,
+    settings: &Settings,
+    loaded: &Loaded,
+) -> Result<(), Exit> {
+    let report = match format {
+        Form::Text => text(rows, settings),
+        Form::Json => json(rows, problems, settings),
+        Form::Junit => {
+            let cases = rows.iter().map(|row| {
+                let claim = row.claim;
+                let section = claim.section.as_deref();
+                junit::case(&claim.name.text, &claim.title, section, status(row), &|name| loaded.place(name))
+            });
+            junit::suite("carom test", cases, problems)
+        }
+    };
+    deliver(flags.output.as_deref(), &report)
 }
 
 /// Where the counterexample of a claim is saved.
@@ -172,21 +201,23 @@ fn earlier(claim: &Claim, flags: &Flags) -> Result<Option<Claim>, Exit> {
 }
 
 /// The outcome of each claim, in their order. One thread tries one claim at a time, first at the point that an `earlier` run
-/// saved; `None` if it failed.
+/// saved; `None` if it failed. After Ctrl-C, `leave` gets the outcomes until then and says what was written, and the program
+/// ends.
 fn on_all_cores(
     claims: &[&Claim],
     earlier: &[Option<Claim>],
     settings: &Settings,
     hand: &AtHand,
-    progress: &Progress,
+    leave: &dyn Fn(Vec<Option<Outcome>>) -> String,
 ) -> Vec<Option<Outcome>> {
+    let progress = Progress::rows(0, claims.len() as u64 * u64::from(settings.cases));
+    let interrupt = Interrupt::listen();
     let (next, done) = (AtomicUsize::new(0), AtomicU64::new(0));
-    let found: Vec<Mutex<Option<Outcome>>> = claims.iter().map(|_| Mutex::new(None)).collect();
-    let work = || {
+    let work = |sender: Sender<(usize, Outcome)>| {
         while let Some((i, claim)) = Some(next.fetch_add(1, Relaxed)).and_then(|i| Some((i, claims.get(i)?))) {
-            let Some((place, saved)) = found.get(i).zip(earlier.get(i)) else { break };
             let mut before = 0;
-            let again = saved.as_ref().and_then(|saved| tried_again(claim, saved, settings));
+            let saved = earlier.get(i).and_then(Option::as_ref);
+            let again = saved.and_then(|saved| tried_again(claim, saved, settings));
             let outcome = again.map(Outcome::Failed).unwrap_or_else(|| {
                 tried(claim, settings, hand, &mut |points| {
                     let points = u64::try_from(points).unwrap_or(u64::MAX).min(u64::from(settings.cases));
@@ -196,18 +227,35 @@ fn on_all_cores(
                 })
             });
             done.fetch_add(u64::from(settings.cases) - before, Relaxed);
-            *place.lock().unwrap_or_else(PoisonError::into_inner) = Some(outcome);
+            // Nobody listens any more once Ctrl-C was obeyed.
+            drop(sender.send((i, outcome)));
         }
     };
+    let mut found: Vec<Option<Outcome>> = claims.iter().map(|_| None).collect();
     std::thread::scope(|scope| {
-        let others = std::thread::available_parallelism().map_or(1, usize::from).min(claims.len()).saturating_sub(1);
-        for _ in 0..others {
-            // If no thread can be made, this one does the work.
-            let _ = std::thread::Builder::new().stack_size(super::STACK).spawn_scoped(scope, work);
+        let (sender, receiver) = channel();
+        let work = &work;
+        let workers = std::thread::available_parallelism().map_or(1, usize::from).min(claims.len());
+        let begun = (0..workers).filter(|_| {
+            let sender = sender.clone();
+            let thread = std::thread::Builder::new().stack_size(super::STACK);
+            thread.spawn_scoped(scope, move || work(sender)).is_ok()
+        });
+        // If no thread can be made, this one does the work.
+        if begun.count() == 0 {
+            work(sender.clone());
         }
-        work();
+        drop(sender);
+        loop {
+            match interrupt.next(&receiver) {
+                Heard::News((i, outcome)) => found[i] = Some(outcome),
+                Heard::End => break,
+                Heard::Interrupted => interrupt.end(&leave(std::mem::take(&mut found))),
+            }
+        }
     });
-    found.into_iter().map(|place| place.into_inner().unwrap_or_else(PoisonError::into_inner)).collect()
+    progress.finish();
+    found
 }
 
 /// The command that repeats the run for one claim.
@@ -340,7 +388,7 @@ fn lines(row: &Row) -> String {
     out
 }
 
-fn json(rows: &[Row], settings: &Settings) -> String {
+fn json(rows: &[Row], problems: &[Problem], settings: &Settings) -> String {
     let count = |of: fn(&Row) -> bool| rows.iter().filter(|row| of(row)).count();
     let claims: Vec<Value> = rows.iter().map(row).collect();
     let value = json!({
@@ -349,6 +397,7 @@ fn json(rows: &[Row], settings: &Settings) -> String {
         "claims": claims,
         "unexpected": count(|row| !row.as_expected()),
         "untested": count(|row| row.is_untested()),
+        "errors": problems.iter().map(|p| json!({ "claim": p.name, "message": p.message })).collect::<Vec<_>>(),
     });
     serde_json::to_string_pretty(&value).unwrap_or_default() + "\n"
 }

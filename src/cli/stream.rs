@@ -3,29 +3,26 @@
 //! Contract: Ctrl-C is obeyed at once: what has been told by then is the answer. A second one ends the program.
 
 use super::audit::Loaded;
-use super::interrupt::{INTERRUPTED, Interrupt};
+use super::interrupt::{Heard, Interrupt};
 use super::progress::Progress;
 use crate::claim::syntax::Claim;
 use crate::judge::{Entry, Judgement, News, Settings, judge};
 use crate::refute::outcome::Fault;
 use std::collections::BTreeMap;
 use std::sync::atomic::{AtomicUsize, Ordering};
-use std::sync::mpsc::{RecvTimeoutError, channel};
-use std::time::Duration;
-
-/// How often Ctrl-C is looked for.
-const TICK: Duration = Duration::from_millis(50);
+use std::sync::mpsc::channel;
 
 /// A claim's result.
 pub(super) type Told<'a> = dyn FnMut(&str, &Result<Entry, Fault>) + 'a;
 
-/// What was judged, in the order of the claims. After Ctrl-C, `leave` gets what is there, and the program ends.
+/// What was judged, in the order of the claims. After Ctrl-C, `leave` gets what is there and says what was written, and the
+/// program ends.
 pub(super) fn judged(
     loaded: &Loaded,
     only: &[String],
     settings: &Settings,
     tell: &mut Told<'_>,
-    leave: &dyn Fn(Judgement),
+    leave: &dyn Fn(Judgement) -> String,
 ) -> Judgement {
     let wanted: Vec<&Claim> =
         loaded.claims().iter().filter(|c| only.is_empty() || only.contains(&c.name.text)).collect();
@@ -55,8 +52,8 @@ pub(super) fn judged(
         // Where the system gives no thread, nothing is judged, which the caller sees.
         let worker = std::thread::Builder::new().stack_size(super::STACK).spawn_scoped(scope, run);
         loop {
-            match receiver.recv_timeout(TICK) {
-                Ok((name, result)) => {
+            match interrupt.next(&receiver) {
+                Heard::News((name, result)) => {
                     found.insert(name, result);
                     while let Some(claim) = shown.get(told)
                         && let Some(result) = found.get(&claim.name.text)
@@ -65,12 +62,11 @@ pub(super) fn judged(
                         told += 1;
                     }
                 }
-                Err(RecvTimeoutError::Disconnected) => break,
-                Err(RecvTimeoutError::Timeout) => {}
-            }
-            if interrupt.asked() {
-                leave(in_order(std::mem::take(&mut found), begun.load(Ordering::Relaxed)));
-                std::process::exit(i32::from(INTERRUPTED));
+                Heard::End => break,
+                Heard::Interrupted => {
+                    let left = leave(in_order(std::mem::take(&mut found), begun.load(Ordering::Relaxed)));
+                    interrupt.end(&left);
+                }
             }
         }
         match worker.map(|worker| worker.join()) {

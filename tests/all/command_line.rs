@@ -2,7 +2,7 @@
 
 use crate::support::{carom, for_nobody, text};
 use std::io::Write;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};
 use std::time::Instant;
 
@@ -641,36 +641,65 @@ fn junit_names_the_point_the_sides_the_file_and_the_line() {
     assert!(saved.join("counterexample-wrong.claim").is_file(), "the folder is made");
 }
 
+/// Claims that are judged at once, then many that take their whole time.
+#[cfg(unix)]
+fn quick_and_slow() -> String {
+    let quick = (0..6).map(|k| format!("claim quick{k} \"t\"\ngiven x > 0\nprove x + {k} >= x\n"));
+    let slow = (0..12).map(|k| {
+        format!("claim slow{k} \"t\"\ngiven x, y, z real\nprove (x^2 + y^4 + z^6 + {k} + 1)^30 != x*y*z + 10^40\n")
+    });
+    quick.chain(slow).collect()
+}
+
+/// What a program prints that is interrupted after some seconds.
+#[cfg(unix)]
+fn interrupted_after(seconds: u64, runs: &[Vec<&str>]) -> Vec<Output> {
+    let begin = |arguments: &Vec<&str>| {
+        let mut command = Command::new(env!("CARGO_BIN_EXE_carom"));
+        command.args(arguments).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().expect("it starts")
+    };
+    let begun: Vec<std::process::Child> = runs.iter().map(begin).collect();
+    std::thread::sleep(std::time::Duration::from_secs(seconds));
+    let end = |child: std::process::Child| {
+        let kill = Command::new("kill").args(["-INT", &child.id().to_string()]).status();
+        assert!(kill.expect("kill is there").success());
+        child.wait_with_output().expect("it ends")
+    };
+    begun.into_iter().map(end).collect()
+}
+
 #[cfg(unix)]
 #[test]
 fn ctrl_c_leaves_the_verdicts_that_were_found() {
     let folder = tempfile::tempdir().expect("a folder");
-    // Some claims at once, then many that take their whole time.
-    let mut content: String =
-        (0..6).map(|k| format!("claim quick{k} \"t\"\ngiven x > 0\nprove x + {k} >= x\n")).collect();
-    for k in 0..12 {
-        content += &format!(
-            "claim slow{k} \"t\"\ngiven x, y, z real\nprove (x^2 + y^4 + z^6 + {k} + 1)^30 != x*y*z + 10^40\n"
-        );
-    }
-    let path = file(&folder, "a.claim", content.as_bytes()).display().to_string();
-    let begun = ["text", "json", "junit"].map(|format| {
-        let child = Command::new(env!("CARGO_BIN_EXE_carom"))
-            .args(["audit", &path, "--format", format, "--time", "600", "--max-steps", "100000000"])
-            .stdout(Stdio::piped())
-            .stderr(Stdio::piped())
-            .spawn();
-        (format, child.expect("it starts"))
-    });
-    std::thread::sleep(std::time::Duration::from_secs(20));
-    for (format, child) in begun {
-        let kill = Command::new("kill").args(["-INT", &child.id().to_string()]).status();
-        assert!(kill.expect("kill is there").success());
-        let out = child.wait_with_output().expect("it ends");
+    let path = file(&folder, "a.claim", quick_and_slow().as_bytes()).display().to_string();
+    let formats = ["text", "json", "junit"];
+    let run = |format| vec!["audit", &path, "--format", format, "--time", "600", "--max-steps", "100000000"];
+    for (format, out) in formats.iter().zip(interrupted_after(20, &formats.map(run))) {
         let (shown, said) = (text(&out.stdout), text(&out.stderr));
         assert_eq!(out.status.code(), Some(130), "{format}: {said}");
         assert!(shown.contains("quick0") && !shown.contains("slow11"), "{format}: {shown}");
         assert!(said.contains("interrupted: ") && said.contains("of 18 claims are judged"), "{format}: {said}");
-        assert_eq!(shown.contains("<error"), format == "junit", "a run that was cut short is no success: {shown}");
+        assert_eq!(shown.contains("<error"), *format == "junit", "a run that was cut short is no success: {shown}");
+    }
+}
+
+#[cfg(unix)]
+#[test]
+fn ctrl_c_leaves_the_claims_that_were_tried_and_their_counterexamples() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let wrong = "claim wrong \"t\"\ngiven x > 0\nprove x >= 1\n".to_owned();
+    let path = file(&folder, "a.claim", (wrong + &quick_and_slow()).as_bytes()).display().to_string();
+    let saved = folder.path().join("saved").display().to_string();
+    let formats = ["text", "json", "junit"];
+    let run = |format| vec!["test", &path, "--format", format, "--time", "600", "--cases", "20", "--save", &saved];
+    for (format, out) in formats.iter().zip(interrupted_after(20, &formats.map(run))) {
+        let (shown, said) = (text(&out.stdout), text(&out.stderr));
+        assert_eq!(out.status.code(), Some(130), "{format}: {said}");
+        assert!(shown.contains("quick0") && shown.contains("wrong"), "{format}: {shown}");
+        assert!(!shown.contains("slow11"), "a claim that was not tried: {format}: {shown}");
+        assert!(said.contains("interrupted: ") && said.contains("of 19 claims are tried"), "{format}: {said}");
+        assert_eq!(shown.contains("<error"), *format == "junit", "a run that was cut short is no success: {shown}");
+        assert!(Path::new(&saved).join("counterexample-wrong.claim").is_file(), "{format}: {said}");
     }
 }
