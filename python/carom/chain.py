@@ -268,7 +268,7 @@ class Chain:
         return self._list("velocities")
 
     def last_velocity(self) -> Number:
-        """The last body's velocity alone, for long chains."""
+        """The last body's velocity alone, for long chains. ``speed`` and ``velocities`` are those of :func:`velocities`."""
         return self._number("last-velocity")
 
     def losses(self) -> List[Number]:
@@ -448,10 +448,18 @@ def velocities(
     e: _Restitution,
     n: Optional[int] = None,
     masses: Optional[Sequence[Exact]] = None,
-    speed: Exact = 1,
+    speed: Optional[Exact] = None,
+    velocities: Optional[Sequence[Exact]] = None,
 ) -> List[Number]:
-    """The velocities after one pass; they are final only where :func:`recollides` says ``"no"``."""
-    return Chain(m1, m2, e=e, n=n, masses=masses, speed=speed).velocities()
+    """The velocities after one pass; they are final only where :func:`recollides` says ``"no"``.
+
+    ``velocities`` gives a velocity before for each body, with ``masses``. Without it the first body has ``speed``, 1 by
+    default, and all others rest.
+
+    >>> velocities(2, 1, e="1/2", masses=[], velocities=[1, -1])
+    [Fraction(0, 1), Fraction(1, 1)]
+    """
+    return Chain(m1, m2, e=e, n=n, masses=masses, speed=speed, velocities=velocities).velocities()
 
 
 def last_velocity(
@@ -461,10 +469,11 @@ def last_velocity(
     e: _Restitution,
     n: Optional[int] = None,
     masses: Optional[Sequence[Exact]] = None,
-    speed: Exact = 1,
+    speed: Optional[Exact] = None,
+    velocities: Optional[Sequence[Exact]] = None,
 ) -> Number:
-    """The last body's velocity alone, for long chains."""
-    return Chain(m1, m2, e=e, n=n, masses=masses, speed=speed).last_velocity()
+    """The last body's velocity alone, for long chains. ``speed`` and ``velocities`` are those of :func:`velocities`."""
+    return Chain(m1, m2, e=e, n=n, masses=masses, speed=speed, velocities=velocities).last_velocity()
 
 
 def losses(
@@ -474,10 +483,11 @@ def losses(
     e: _Restitution,
     n: Optional[int] = None,
     masses: Optional[Sequence[Exact]] = None,
-    speed: Exact = 1,
+    speed: Optional[Exact] = None,
+    velocities: Optional[Sequence[Exact]] = None,
 ) -> List[Number]:
-    """The kinetic energy lost in each collision."""
-    return Chain(m1, m2, e=e, n=n, masses=masses, speed=speed).losses()
+    """The kinetic energy lost in each collision. ``speed`` and ``velocities`` are those of :func:`velocities`."""
+    return Chain(m1, m2, e=e, n=n, masses=masses, speed=speed, velocities=velocities).losses()
 
 
 def matrices(

@@ -328,3 +328,16 @@ def test_many_digits_end_at_once_when_interrupted():
     )
     out = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=300)
     assert float(out.stdout) < 2, out
+
+
+def test_bodies_that_all_move_are_asked_as_the_chain_asks_them() -> None:
+    given: dict = {"e": ["1/2", "3/4"], "masses": [3], "velocities": [4, "1/2", -1]}
+    chain = carom.Chain(2, 1, **given)
+    assert carom.velocities(2, 1, **given) == chain.velocities()
+    assert carom.last_velocity(2, 1, **given) == chain.velocities()[-1]
+    assert carom.losses(2, 1, **given) == chain.losses()
+    momentum = sum(m * v for m, v in zip([2, 3, 1], chain.velocities()))
+    assert momentum == Fraction(17, 2)
+    for wrong in ({"speed": 1}, {"velocities": [1, 0]}):
+        with pytest.raises(ValueError):
+            carom.velocities(2, 1, **{**given, **wrong})
