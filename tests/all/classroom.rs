@@ -11,8 +11,8 @@ fn scene(name: &str) -> String {
 
 #[test]
 fn versions_differ_and_their_seed_gives_them_again() {
-    let sheets = |seed: &str| good(&["worksheet", &scene("car-chain"), "--versions", "3", "--seed", seed]);
-    let text = sheets("7");
+    let made = |seed: &str| good(&["worksheet", &scene("car-chain"), "--versions", "3", "--seed", seed]);
+    let text = made("7");
     let masses: Vec<&str> = text.lines().filter(|l| l.trim_start().starts_with("mass (kg)")).collect();
     // The table of all bodies, then one for each collision, on six sheets.
     assert_eq!(masses.len(), 6 * 4, "{text}");
@@ -21,10 +21,31 @@ fn versions_differ_and_their_seed_gives_them_again() {
         |lines: &[&str]| lines.iter().map(|l| l.split_whitespace().collect::<Vec<_>>().join(" ")).collect::<Vec<_>>();
     assert_eq!(cells(&masses[..12]), cells(&masses[12..]), "the keys are those of the sheets");
     assert!(text.contains("worksheet, version C") && text.contains("answer key, version C"), "{text}");
-    assert_eq!(text, sheets("7"));
-    assert_ne!(text, sheets("8"));
+    assert_eq!(text, made("7"));
+    assert_ne!(text, made("8"));
     let out = carom(&["worksheet", &scene("car-chain"), "--versions", "27"]);
     assert_eq!(out.status.code(), Some(2));
+}
+
+#[test]
+fn neighbours_guess_the_same() {
+    for name in ["car-chain", "stacked-balls"] {
+        for seed in ["1", "2", "3"] {
+            let text = good(&["worksheet", &scene(name), "--versions", "4", "--seed", seed, "--sheet", "blank"]);
+            let asked: Vec<Vec<&str>> = text
+                .split("Predict first")
+                .skip(1)
+                .map(|sheet| {
+                    let sheet = sheet.split("Compute").next().expect("a part");
+                    let asks = sheet.lines().filter(|l| l.starts_with(|c: char| c.is_ascii_digit()));
+                    asks.map(|ask| ask.split_once(". ").expect("a number").1).collect()
+                })
+                .collect();
+            assert!(asked.len() == 4 && asked.iter().all(|list| list.len() == 3), "{name} {seed}: {asked:?}");
+            let same = asked[0].iter().filter(|ask| asked[1].contains(ask)).count();
+            assert_eq!(same, 0, "{name} {seed}: A and B have questions in common");
+        }
+    }
 }
 
 #[test]

@@ -35,6 +35,7 @@ mod kernel_rules;
 mod latex;
 mod law;
 mod limits;
+mod marks;
 mod measured;
 mod numbers;
 mod one_verdict;

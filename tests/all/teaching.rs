@@ -104,8 +104,8 @@ fn a_blank_sheet_gives_nothing_away_and_every_form_is_whole() {
     assert!(latex.contains("\\newpage\n") && latex.contains("answer key}"), "pupils do not get the key");
     assert!(latex.contains("a4paper") && latex.ends_with("\\end{document}\n"), "{latex}");
     let html = good(&["worksheet", &scene("stacked-balls"), "--format", "html", "--paper", "letter"]);
-    assert!(html.contains("size: letter") && html.contains("break-after: page") && !html.contains("<script"), "{html}");
-    let fields = html.matches("<input type=\"text\" aria-label=\"Collision ").count();
+    assert!(html.contains("size: letter") && html.contains("break-after: page") && html.contains("<script>"), "{html}");
+    let fields = html.matches(" aria-label=\"Collision ").count();
     // In each of three collisions: velocities after and changed, momenta and energies with their sums; and the velocity
     // with which the first body of the second and third arrives.
     assert_eq!(fields, 3 * (4 + 9 + 9) + 2);
@@ -291,7 +291,7 @@ fn worksheets_have_cells_of_any_length() {
 }
 
 /// A random chain of a few bodies as a scene file.
-fn random_chain(seed: u64) -> String {
+pub(crate) fn random_chain(seed: u64) -> String {
     let mut state = seed.wrapping_mul(0x9e37_79b9_7f4a_7c15).wrapping_add(1);
     let mut below = |count: u64| {
         state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
@@ -322,7 +322,8 @@ fn forty_answer_keys_are_what_the_exact_replay_shows() {
     use carom::report::worksheet::{Cell, Part, Style};
     use carom::scene::read::described;
     let style = Style { digits: Digits::Significant(12), exact: true };
-    let wanted = Wanted { title: "t", standard: None, blank: false, key: true, versions: 0, seed: 1, style };
+    let wanted = |versions| Wanted { title: "t", standard: None, blank: false, key: true, versions, seed: 1, style };
+    let mut asked = std::collections::BTreeSet::new();
     let (mut judged, mut met_again, mut open) = (0, 0, 0);
     for seed in 0.. {
         if judged == 40 {
@@ -331,111 +332,172 @@ fn forty_answer_keys_are_what_the_exact_replay_shows() {
         let scene = random_chain(seed);
         let (about, subject) = described(&scene).expect("a scene");
         // A pass that does not take place makes no sheet.
-        let Ok(made) = sheets(&about, &subject, &wanted) else { continue };
-        judged += 1;
-        let key = &made[0];
-        let texts: Vec<&str> = key
-            .parts
-            .iter()
-            .filter_map(|part| if let Part::Text(text) = part { Some(text.as_str()) } else { None })
-            .collect();
-        let all = texts.join(" ");
-        // The pass, from the tables.
-        let tables: Vec<_> = key
-            .parts
-            .iter()
-            .filter_map(|part| if let Part::Table(table) = part { Some(table) } else { None })
-            .collect();
-        let row = |table: &carom::report::worksheet::Table, name: &str| -> Vec<Rational> {
-            let row = table.groups.iter().flatten().find(|row| row.name == name).expect(name);
-            let read = |cell: &Cell| if let Cell::Number(text) = cell { parse(text).ok() } else { None };
-            row.cells.iter().filter_map(read).collect()
-        };
-        let (masses, before) = (row(tables[0], "mass"), row(tables[0], "velocity before"));
-        let collisions = &tables[1..];
-        let e: Vec<Rational> = collisions
-            .iter()
-            .map(|table| parse(table.title.split("e = ").nth(1).expect("e")).expect("a number"))
-            .collect();
-        // The key is judged where it speaks of the end: by a replay at the gaps that the sheet names.
-        let ratio = match all.split("each gap is ").nth(1) {
-            Some(rest) => parse(rest.split(' ').next().expect("a word")).expect("a ratio"),
-            None => Rational::from(1),
-        };
-        let again = all.contains("meet again");
-        if all.contains("the sheet ends before") {
-            // Then nothing is asked about the end.
-            open += 1;
-            for part in &key.parts {
-                if let Part::Choice { ask, .. } = part {
-                    assert!(!ask.contains("last collision"), "{scene}: {ask}");
-                }
-            }
+        let (Ok(made), Ok(versions)) = (sheets(&about, &subject, &wanted(0)), sheets(&about, &subject, &wanted(3)))
+        else {
             continue;
-        }
-        met_again += u64::from(again);
-        let (mut place, mut gap) = (Rational::from(0), Rational::from(1));
-        let bodies: Vec<Body> = masses
-            .iter()
-            .zip(&before)
-            .map(|(mass, velocity)| {
-                let position = place.clone();
-                place += &gap;
-                gap *= &ratio;
-                Body { mass: mass.clone(), position, velocity: velocity.clone(), length: Rational::from(0) }
-            })
-            .collect();
-        let line = Line::new(&bodies, &e, None, None).expect("a line");
-        let options = Options { through_collapse: true, ..Options::default() };
-        let outcome = replay(&line, &options).expect("the ledger balances");
-        let end: Vec<Rational> = outcome.velocities.iter().map(|v| v.rational().expect("exact").clone()).collect();
-        // Without a second meeting the order is that of the sheet; its own velocities are the last ones.
-        let end = if again {
-            assert!(matches!(outcome.status, Status::Complete), "{scene}");
-            for (k, event) in outcome.events.iter().take(collisions.len()).enumerate() {
-                let after: Vec<Rational> = event.after.iter().map(|v| v.rational().expect("exact").clone()).collect();
-                assert_eq!(event.pair, k + 1, "{scene}");
-                assert_eq!(row(collisions[k], "velocity after"), after, "{scene}");
-            }
-            end
-        } else {
-            let first = collisions.iter().map(|table| row(table, "velocity after")[0].clone());
-            first.chain(collisions.last().map(|table| row(table, "velocity after")[1].clone())).collect()
         };
-        assert!(end.windows(2).all(|pair| pair[0] <= pair[1]), "{scene}: a body moves through another: {end:?}");
-        let size = |v: &Rational| if *v < 0u32 { -v } else { v.clone() };
-        for part in &key.parts {
-            match part {
-                Part::Choice { ask, options } if ask.contains("fastest after the last collision") => {
-                    let ticked: Vec<&str> = options.iter().filter(|o| o.1).map(|o| o.0.as_str()).collect();
-                    let top = end.iter().map(size).max().expect("bodies");
-                    let right: Vec<String> =
-                        (0..end.len()).filter(|k| size(&end[*k]) == top).map(|k| format!("body {}", k + 1)).collect();
-                    let right = if right.len() == end.len() { vec!["all are equally fast".to_owned()] } else { right };
-                    assert_eq!(ticked, right, "{scene}");
-                }
-                Part::Choice { ask, options } if ask.contains("backwards after the last collision") => {
-                    let yes = end.iter().any(|v| *v < 0u32);
-                    assert_eq!((options[0].1, options[1].1), (yes, !yes), "{scene}");
-                }
-                Part::Open { ask, answer: Some(answer), .. } if ask.contains("meet again after") => {
-                    if let Some(list) = answer.strip_prefix("Then these collide: ") {
-                        let named: Vec<&str> = list.split(". In").next().expect("a list").split(", ").collect();
-                        let later = outcome.events.iter().skip(collisions.len());
-                        let later: Vec<String> = later.map(|e| format!("{}–{}", e.pair, e.pair + 1)).collect();
-                        assert_eq!(named, later, "{scene}");
+        judged += 1;
+        for (place, key) in made.iter().chain(&versions).enumerate() {
+            let texts: Vec<&str> = key
+                .parts
+                .iter()
+                .filter_map(|part| if let Part::Text(text) = part { Some(text.as_str()) } else { None })
+                .collect();
+            let all = texts.join(" ");
+            // The pass, from the tables.
+            let tables: Vec<_> = key
+                .parts
+                .iter()
+                .filter_map(|part| if let Part::Table(table) = part { Some(table) } else { None })
+                .collect();
+            let row = |table: &carom::report::worksheet::Table, name: &str| -> Vec<Rational> {
+                let row = table.groups.iter().flatten().find(|row| row.name == name).expect(name);
+                let read = |cell: &Cell| if let Cell::Number(text) = cell { parse(text).ok() } else { None };
+                row.cells.iter().filter_map(read).collect()
+            };
+            let (masses, before) = (row(tables[0], "mass"), row(tables[0], "velocity before"));
+            let collisions = &tables[1..];
+            let e: Vec<Rational> = collisions
+                .iter()
+                .map(|table| parse(table.title.split("e = ").nth(1).expect("e")).expect("a number"))
+                .collect();
+            // The key is judged where it speaks of the end: by a replay at the gaps that the sheet names.
+            let ratio = match all.split("each gap is ").nth(1) {
+                Some(rest) => parse(rest.split(' ').next().expect("a word")).expect("a ratio"),
+                None => Rational::from(1),
+            };
+            let again = all.contains("meet again");
+            if all.contains("the sheet ends before") {
+                // Then nothing is asked about the end.
+                open += u64::from(place == 0);
+                for part in &key.parts {
+                    if let Part::Choice { ask, .. } = part {
+                        assert!(!ask.contains("last collision"), "{scene}: {ask}");
                     }
-                    let list = answer.split("velocities are ").nth(1).expect("velocities");
-                    let list: Vec<Rational> =
-                        list.split(':').next().expect("a list").split(", ").filter_map(|v| parse(v).ok()).collect();
-                    assert!(
-                        list.iter().zip(&end).all(|(a, b)| size(&(a - b)) * Rational::from(10u64.pow(9)) < 1000u32)
-                    );
                 }
-                _ => {}
+                continue;
+            }
+            met_again += u64::from(again && place == 0);
+            let (mut place, mut gap) = (Rational::from(0), Rational::from(1));
+            let bodies: Vec<Body> = masses
+                .iter()
+                .zip(&before)
+                .map(|(mass, velocity)| {
+                    let position = place.clone();
+                    place += &gap;
+                    gap *= &ratio;
+                    Body { mass: mass.clone(), position, velocity: velocity.clone(), length: Rational::from(0) }
+                })
+                .collect();
+            let line = Line::new(&bodies, &e, None, None).expect("a line");
+            let options = Options { through_collapse: true, ..Options::default() };
+            let outcome = replay(&line, &options).expect("the ledger balances");
+            let end: Vec<Rational> = outcome.velocities.iter().map(|v| v.rational().expect("exact").clone()).collect();
+            // Without a second meeting the order is that of the sheet; its own velocities are the last ones.
+            let end = if again {
+                assert!(matches!(outcome.status, Status::Complete), "{scene}");
+                for (k, event) in outcome.events.iter().take(collisions.len()).enumerate() {
+                    let after: Vec<Rational> =
+                        event.after.iter().map(|v| v.rational().expect("exact").clone()).collect();
+                    assert_eq!(event.pair, k + 1, "{scene}");
+                    assert_eq!(row(collisions[k], "velocity after"), after, "{scene}");
+                }
+                end
+            } else {
+                let first = collisions.iter().map(|table| row(table, "velocity after")[0].clone());
+                first.chain(collisions.last().map(|table| row(table, "velocity after")[1].clone())).collect()
+            };
+            assert!(end.windows(2).all(|pair| pair[0] <= pair[1]), "{scene}: a body moves through another: {end:?}");
+            let size = |v: &Rational| if *v < 0u32 { -v } else { v.clone() };
+            let change = |name: &str| row(collisions[0], name).iter().take(2).map(size).collect::<Vec<_>>();
+            // Which of some sizes is the greatest, in the words of the sheet.
+            let greatest = |sizes: &[Rational], all: &str| {
+                let top = sizes.iter().max().expect("bodies");
+                let right: Vec<usize> = (0..sizes.len()).filter(|k| sizes[*k] == *top).collect();
+                match right.as_slice() {
+                    [only] => format!("body {}", only + 1),
+                    list => {
+                        assert_eq!(list.len(), sizes.len(), "{scene}: {sizes:?}");
+                        all.to_owned()
+                    }
+                }
+            };
+            let of = |yes: bool| if yes { "yes" } else { "no" }.to_owned();
+            let speeds: Vec<Rational> = end.iter().map(size).collect();
+            let less: Vec<Rational> = speeds.iter().map(|v| -v).collect();
+            let energies: Vec<Rational> = end.iter().zip(&masses).map(|(v, m)| m * v * v).collect();
+            for part in &key.parts {
+                match part {
+                    Part::Choice { ask, options, right } => {
+                        let kind: &str = ask.split_once(". ").expect("a number").1;
+                        let words =
+                            kind.split(" after ").next().expect("a word").split(" in the end").next().expect("a word");
+                        let answer = match words {
+                            "Which body will be the fastest" => greatest(&speeds, "all are equally fast"),
+                            "Which body will be the slowest" => greatest(&less, "all are equally fast"),
+                            "Which body will have the most kinetic energy" => {
+                                greatest(&energies, "all have equally much")
+                            }
+                            "Will any body move backwards" => of(end.iter().any(|v| *v < 0u32)),
+                            "Will any body be at rest" => of(end.iter().any(|v| *v == 0u32)),
+                            "Which way will body 1 move" => {
+                                let way = ["to the left", "not at all", "to the right"];
+                                way[(end[0].cmp(&Rational::from(0)) as i8 + 1) as usize].to_owned()
+                            }
+                            "Whose velocity will change more in collision 1?" => {
+                                greatest(&change("velocity change"), "both change equally")
+                            }
+                            "Whose momentum will change more in collision 1?" => {
+                                greatest(&change("momentum change"), "both change equally")
+                            }
+                            how_fast if how_fast.starts_with("How fast will body ") => {
+                                let words = ["slower", "equally fast", "faster"];
+                                words[(speeds[speeds.len() - 1].cmp(&size(&before[0])) as i8 + 1) as usize].to_owned()
+                            }
+                            lost => {
+                                assert!(lost.starts_with("How much of the kinetic energy"), "{scene}: {ask}");
+                                let lost = collisions.iter().map(|t| row(t, "kinetic energy change")[2].clone());
+                                let first = masses.iter().zip(&before).map(|(m, v)| m * v * v / Rational::from(2));
+                                let gone = lost.fold(Rational::from(0), |sum, c| sum - c);
+                                let share = gone / first.fold(Rational::from(0), |sum, e| sum + e) * Rational::from(4);
+                                let place = match share {
+                                    share if share == 0u32 => 0,
+                                    share if share < 1u32 => 1,
+                                    share if share <= 2u32 => 2,
+                                    _ => 3,
+                                };
+                                options[place].0.clone()
+                            }
+                        };
+                        asked.insert(words.split(" body ").next().expect("a word").to_owned());
+                        let ticked: Vec<&str> = options.iter().filter(|o| o.1).map(|o| o.0.as_str()).collect();
+                        assert_eq!(ticked, [answer.as_str()], "{scene}: {ask}");
+                        assert_eq!(
+                            right.map(|right| options[right].0.as_str()),
+                            Some(answer.as_str()),
+                            "{scene}: {ask}"
+                        );
+                    }
+                    Part::Open { ask, answer: Some(answer), .. } if ask.contains("meet again after") => {
+                        if let Some(list) = answer.strip_prefix("Then these collide: ") {
+                            let named: Vec<&str> = list.split(". In").next().expect("a list").split(", ").collect();
+                            let later = outcome.events.iter().skip(collisions.len());
+                            let later: Vec<String> = later.map(|e| format!("{}–{}", e.pair, e.pair + 1)).collect();
+                            assert_eq!(named, later, "{scene}");
+                        }
+                        let list = answer.split("velocities are ").nth(1).expect("velocities");
+                        let list: Vec<Rational> =
+                            list.split(':').next().expect("a list").split(", ").filter_map(|v| parse(v).ok()).collect();
+                        assert!(
+                            list.iter().zip(&end).all(|(a, b)| size(&(a - b)) * Rational::from(10u64.pow(9)) < 1000u32)
+                        );
+                    }
+                    _ => {}
+                }
             }
         }
     }
+    assert!(asked.len() >= 9, "kinds of questions that were judged: {asked:?}");
     assert!(met_again >= 8 && open <= 20, "{met_again} met again, {open} are open");
 }
 

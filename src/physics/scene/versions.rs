@@ -36,6 +36,17 @@ impl Dice {
     }
 }
 
+/// The numbers below `count` in the order that a seed gives them.
+#[must_use]
+pub fn shuffled(seed: u64, count: usize) -> Vec<usize> {
+    let mut dice = Dice(seed);
+    let mut order: Vec<usize> = (0..count).collect();
+    for left in (2..=count).rev() {
+        order.swap(left - 1, dice.below(left));
+    }
+    order
+}
+
 /// So many versions of a chain.
 ///
 /// # Errors

@@ -156,12 +156,14 @@ fn view(sheet: &Sheet) -> Value {
             let strokes: Vec<Value> = sketch.strokes(SKETCH).into_iter().map(stroke).collect();
             json!({ "kind": "sketch", "size": [SKETCH, sketch.height()], "text": sketch.description(), "strokes": strokes })
         }
-        Part::Choice { ask, options } => json!({ "kind": "choice", "ask": ask, "options": options }),
-        Part::Open { ask, answer, lines } => json!({ "kind": "open", "ask": ask, "answer": answer, "lines": lines }),
+        Part::Choice { ask, options, .. } => json!({ "kind": "choice", "ask": ask, "options": options }),
+        Part::Open { ask, answer, lines, .. } => {
+            json!({ "kind": "open", "ask": ask, "answer": answer, "lines": lines })
+        }
         Part::Table(table) => {
             let cell = |cell: &Cell| match cell {
                 Cell::Number(text) => json!(text),
-                Cell::Blank => json!(""),
+                Cell::Blank(_) => json!(""),
                 Cell::Nothing => Value::Null,
             };
             let row = |row: &carom_documents::report::worksheet::Row| json!({ "name": row.name, "cells": row.cells.iter().map(cell).collect::<Vec<_>>() });

@@ -1,13 +1,16 @@
 //! Sheets as a page of HTML: a form to fill in on a screen, and paper when it is printed.
 //!
-//! Contract: one file without scripts that loads nothing; each sheet begins on a printed page of its own; every field has a
-//! name for screen readers.
+//! Contract: one file that loads nothing; each sheet begins on a printed page of its own; every field has a name for screen
+//! readers. The script of a sheet to be filled in marks what is typed and needs no network; without it the fields can still
+//! be filled in. A key has no script.
 
+use super::expected::salted;
 use super::sketch::{Sketch, Stroke};
-use super::{Cell, Part, Sheet, Table, with_powers};
+use super::{Cell, Expected, Part, Sheet, Table, with_powers};
 use crate::report::markup::escape;
 
 const STYLE: &str = include_str!("sheet.css");
+const SCRIPT: &str = include_str!("marks.js");
 
 /// The page with all sheets.
 #[must_use]
@@ -23,12 +26,65 @@ pub fn page(sheets: &[Sheet], letter: bool) -> String {
     for (place, sheet) in sheets.iter().enumerate() {
         out.push_str(&one(sheet, place));
     }
+    if sheets.iter().any(is_marked) {
+        out.push_str(&format!("<script>\n{SCRIPT}</script>\n"));
+    }
     out.push_str("</body>\n</html>\n");
     out
 }
 
+/// What is right in the fields of a sheet, where something is known.
+fn expected(sheet: &Sheet) -> impl Iterator<Item = Option<&Expected>> {
+    sheet.parts.iter().flat_map(|part| match part {
+        Part::Table(table) => {
+            let cells = table.groups.iter().flatten().flat_map(|row| &row.cells);
+            let blank = |cell| if let &Cell::Blank(ref expected) = cell { Some(expected.as_ref()) } else { None };
+            cells.filter_map(blank).collect::<Vec<_>>()
+        }
+        Part::Open { answer: None, numbers, .. } => numbers.iter().map(|number| number.expected.as_ref()).collect(),
+        _ => Vec::new(),
+    })
+}
+
+/// Whether a sheet has fields that are marked.
+fn is_marked(sheet: &Sheet) -> bool {
+    expected(sheet).any(|field| field.is_some())
+}
+
+/// A field for a number, and the place of its mark.
+fn field(sheet: &Sheet, name: &str, label: Option<&str>, expected: Option<&Expected>) -> String {
+    let label = label.map_or(String::new(), |label| format!(" aria-label=\"{}\"", escape(label)));
+    let Some(expected) = expected else {
+        return format!("<input type=\"text\" id=\"{name}\" name=\"{name}\"{label}>");
+    };
+    let answers = expected.digests(&salt(sheet, name)).join(" ");
+    format!(
+        "<input type=\"text\" id=\"{name}\" name=\"{name}\"{label} aria-describedby=\"{name}-mark\" data-answer=\"{answers}\">\
+         <output id=\"{name}-mark\"></output>"
+    )
+}
+
+/// The salt of the digests of a field.
+fn salt(sheet: &Sheet, name: &str) -> String {
+    format!("{} {name}", sheet.foot)
+}
+
+/// How the numbers of a sheet are marked.
+fn instruction(sheet: &Sheet) -> String {
+    let some = expected(sheet).any(|field| field.is_none());
+    let open = if some { " Answers with an uncertainty are not marked." } else { "" };
+    format!(
+        "<p class=\"marks\" hidden>Each number is marked when you leave its field. Write 0.9, 0,9, 9/10, 90 % or 10^3, without a unit.{open}</p>\n"
+    )
+}
+
 fn one(sheet: &Sheet, place: usize) -> String {
-    let mut out = format!("<form class=\"sheet\" autocomplete=\"off\">\n<h1>{}</h1>\n", escape(&sheet.title));
+    let marked = is_marked(sheet);
+    let data = if marked { format!(" data-salt=\"{}\"", escape(&sheet.foot)) } else { String::new() };
+    let mut out = format!("<form class=\"sheet\" autocomplete=\"off\"{data}>\n<h1>{}</h1>\n", escape(&sheet.title));
+    if marked {
+        out.push_str(&instruction(sheet));
+    }
     for (number, part) in sheet.parts.iter().enumerate() {
         let name = format!("s{place}-{number}");
         match part {
@@ -41,8 +97,13 @@ fn one(sheet: &Sheet, place: usize) -> String {
             Part::Heading(text) => out.push_str(&format!("<h2>{}</h2>\n", escape(text))),
             Part::Text(text) => out.push_str(&format!("<p>{}</p>\n", formulas(text))),
             Part::Sketch(sketch) => out.push_str(&drawn(sketch)),
-            Part::Choice { ask, options } => {
-                out.push_str(&format!("<fieldset>\n<legend>{}</legend>\n", escape(ask)));
+            Part::Choice { ask, options, right } => {
+                let right = right.filter(|_| marked).map_or(String::new(), |right| {
+                    let answer = salted(&salt(sheet, &name), &format!("tick {right}"));
+                    format!(" data-answer=\"{answer}\"")
+                });
+                let told = if right.is_empty() { "" } else { "<output></output>\n" };
+                out.push_str(&format!("<fieldset name=\"{name}\"{right}>\n<legend>{}</legend>\n", escape(ask)));
                 for (text, right) in options {
                     let checked = if *right { " checked" } else { "" };
                     out.push_str(&format!(
@@ -50,17 +111,33 @@ fn one(sheet: &Sheet, place: usize) -> String {
                         escape(text)
                     ));
                 }
-                out.push_str("</fieldset>\n");
+                out.push_str(&format!("{told}</fieldset>\n"));
             }
-            Part::Open { ask, answer, lines } => {
+            Part::Open { ask, answer, lines, numbers } => {
                 out.push_str(&format!("<p class=\"ask\" id=\"{name}\">{}</p>\n", powers(ask)));
                 out.push_str(&match answer {
                     Some(answer) => format!("<p class=\"answer\">{}</p>\n", powers(answer)),
-                    None => format!("<textarea rows=\"{lines}\" aria-labelledby=\"{name}\"></textarea>\n"),
+                    None => {
+                        let one = |(at, number): (usize, &super::Number)| {
+                            let (label, name) = (escape(&number.label), format!("{name}-{at}"));
+                            let field = field(sheet, &name, None, number.expected.as_ref());
+                            format!("<div class=\"number\"><label for=\"{name}\">{label}</label>{field}</div>\n")
+                        };
+                        let fields: String = numbers.iter().enumerate().map(one).collect();
+                        let fields = if fields.is_empty() {
+                            fields
+                        } else {
+                            format!("<div class=\"numbers\">\n{fields}</div>\n")
+                        };
+                        format!("{fields}<textarea rows=\"{lines}\" aria-labelledby=\"{name}\"></textarea>\n")
+                    }
                 });
             }
-            Part::Table(found) => out.push_str(&table(found)),
+            Part::Table(found) => out.push_str(&table(sheet, &name, found)),
         }
+    }
+    if marked {
+        out.push_str("<p class=\"marks score\" role=\"status\" hidden></p>\n");
     }
     out.push_str(&format!("<p class=\"foot\">{}</p>\n</form>\n", escape(&sheet.foot)));
     out
@@ -98,23 +175,26 @@ fn formulas(text: &str) -> String {
     powers(text).replace("p = m v is", set).replace("E = m v²/2 the", "<i>E</i> = ½ <i>m</i> <i>v</i>² the")
 }
 
-fn table(table: &Table) -> String {
+fn table(sheet: &Sheet, name: &str, table: &Table) -> String {
     let mut out = String::from("<table>\n");
     if !table.title.is_empty() {
         out.push_str(&format!("<caption>{}</caption>\n", escape(&table.title)));
     }
     let heads: String = table.columns.iter().map(|c| format!("<th scope=\"col\">{}</th>", escape(c))).collect();
     out.push_str(&format!("<thead><tr><td></td>{heads}</tr></thead>\n"));
+    let mut line = 0;
     for group in &table.groups {
         out.push_str("<tbody>\n");
         for row in group {
+            line += 1;
             out.push_str(&format!("<tr><th scope=\"row\">{}</th>", escape(&row.name)));
-            for (cell, column) in row.cells.iter().zip(&table.columns) {
+            for (place, (cell, column)) in row.cells.iter().zip(&table.columns).enumerate() {
                 let label = format!("{}, {}, {}", table.title, row.name, column);
                 out.push_str(&match cell {
                     Cell::Number(text) => format!("<td>{}</td>", number(text)),
-                    Cell::Blank => {
-                        format!("<td class=\"blank\"><input type=\"text\" aria-label=\"{}\"></td>", escape(&label))
+                    Cell::Blank(expected) => {
+                        let name = format!("{name}-{line}-{place}");
+                        format!("<td class=\"blank\">{}</td>", field(sheet, &name, Some(&label), expected.as_ref()))
                     }
                     Cell::Nothing => "<td></td>".to_owned(),
                 });

@@ -50,7 +50,7 @@ fn one(sheet: &Sheet) -> String {
             Part::Heading(text) => out.push_str(&format!("\\subsection*{{{}}}\n", escape(text))),
             Part::Text(text) => out.push_str(&format!("{}\\par\n", formulas(text))),
             Part::Sketch(sketch) => out.push_str(&drawn(sketch)),
-            Part::Choice { ask, options } => {
+            Part::Choice { ask, options, .. } => {
                 let boxes = options.iter().map(|(text, right)| {
                     let mark = if *right { "\\boxtimes" } else { "\\square" };
                     format!("\\mbox{{${mark}$ {}}}", escape(text))
@@ -58,7 +58,7 @@ fn one(sheet: &Sheet) -> String {
                 let boxes = boxes.collect::<Vec<_>>().join("\\qquad{} ");
                 out.push_str(&format!("{}\\par\n{{\\raggedright\\leftskip=6mm {boxes}\\par}}\n", formulas(ask)));
             }
-            Part::Open { ask, answer, lines } => {
+            Part::Open { ask, answer, lines, .. } => {
                 out.push_str(&format!("{}\\par\n", formulas(ask)));
                 match answer {
                     Some(answer) => out.push_str(&format!("\\hspace*{{6mm}}\\textbf{{{}}}\\par\n", powers(answer))),
@@ -129,7 +129,7 @@ fn table(table: &Table) -> String {
         for row in group {
             let cells = row.cells.iter().map(|cell| match cell {
                 Cell::Number(text) => format!("\\fit{{{}}}", number(text)),
-                Cell::Blank => "\\pen".to_owned(),
+                Cell::Blank(_) => "\\pen".to_owned(),
                 Cell::Nothing => String::new(),
             });
             out.push_str(&format!("{} & {} \\\\\n", escape(&row.name), cells.collect::<Vec<_>>().join(" & ")));

@@ -1,5 +1,6 @@
 //! The sheets of a scene: blank ones and keys, of the scene itself or of versions with other masses.
 
+use super::questions::drawn;
 use super::{Sheet, Style, Subject, sheet};
 use crate::chain::ChainError;
 use crate::scene::drop::Drop;
@@ -45,14 +46,21 @@ struct Version {
 /// Those of [`Worksheet`] and of `versions`; a limit on digits.
 pub fn sheets(about: &About, scene: &Scene, wanted: &Wanted<'_>) -> Result<Vec<Sheet>, ChainError> {
     let versions = made(scene, wanted)?;
+    let subjects: Vec<Subject<'_>> = versions
+        .iter()
+        .map(|Version { worksheet, drop, letter }| {
+            let (title, standard) = (wanted.title, wanted.standard);
+            Subject { worksheet, about, drop: drop.as_ref(), title, version: *letter, standard, asked: None }
+        })
+        .collect();
+    let drawn = drawn(&subjects, wanted.seed);
     let mut sheets = Vec::new();
     for filled in
         [(wanted.blank, false), (wanted.key, true)].into_iter().filter_map(|(is, filled)| is.then_some(filled))
     {
-        for Version { worksheet, drop, letter } in &versions {
-            let (title, standard) = (wanted.title, wanted.standard);
-            let subject = Subject { worksheet, about, drop: drop.as_ref(), title, version: *letter, standard };
-            sheets.push(sheet(&subject, wanted.style, filled)?);
+        for (subject, asked) in subjects.iter().zip(&drawn) {
+            let asked = subject.version.map(|_| asked.as_slice());
+            sheets.push(sheet(&Subject { asked, ..*subject }, wanted.style, filled)?);
         }
     }
     Ok(sheets)

@@ -5,6 +5,7 @@
 //! collision of each body; everything else is to be found. [`sheet`] puts it together; [`text`], [`latex`] and [`html`]
 //! write it, and [`pages`] lays it out.
 
+pub mod expected;
 pub mod html;
 pub mod latex;
 pub mod made;
@@ -18,10 +19,12 @@ use crate::chain::recollision::{MAY_WARN, WARNING};
 use crate::number::NumberError;
 use crate::number::decimal::{Decimal, Digits, Rounding};
 use crate::number::plus_minus::plus_minus;
+use crate::report::counted;
 use crate::scene::About;
 use crate::scene::drop::Drop;
 use crate::table::grid::decimal_or_fraction;
 use crate::table::worksheet::{Change, Collision, Entry, Worksheet};
+pub use expected::Expected;
 use malachite::Rational;
 use malachite::base::num::basic::traits::Zero;
 pub use setting::Units;
@@ -51,6 +54,8 @@ pub struct Subject<'a> {
     pub version: Option<(char, u64)>,
     /// The standard that the sheet serves.
     pub standard: Option<&'a str>,
+    /// Which predictions of the stock a version asks; `None` for the usual ones.
+    pub asked: Option<&'a [usize]>,
 }
 
 /// A sheet.
@@ -81,6 +86,8 @@ pub enum Part {
         ask: String,
         /// The answers, and whether each is ticked.
         options: Vec<(String, bool)>,
+        /// Which of them is right.
+        right: Option<usize>,
     },
     /// A question with lines to write on, or its answer.
     Open {
@@ -88,11 +95,22 @@ pub enum Part {
         ask: String,
         /// The answer.
         answer: Option<String>,
+        /// The numbers of the answer.
+        numbers: Vec<Number>,
         /// So many lines.
         lines: usize,
     },
     /// A table.
     Table(Table),
+}
+
+/// A number that a question asks for.
+#[derive(Clone, Debug)]
+pub struct Number {
+    /// Its name and unit.
+    pub label: String,
+    /// What is right; `None` where an answer has an uncertainty.
+    pub expected: Option<Expected>,
 }
 
 /// A table; the first column has the names of the rows.
@@ -120,12 +138,14 @@ pub struct Row {
 pub enum Cell {
     /// A number.
     Number(String),
-    /// To be filled in.
-    Blank,
+    /// To be filled in, and what is right there.
+    Blank(Option<Expected>),
     /// Nothing belongs here.
     Nothing,
 }
 
+/// Before the standard that a sheet serves.
+const STANDARD: &str = "Standard: ";
 /// The longest fraction in a cell, in characters.
 const MAX_FRACTION: usize = 15;
 
@@ -145,7 +165,7 @@ pub fn sheet(subject: &Subject<'_>, style: Style, filled: bool) -> Result<Sheet,
         parts.push(Part::Names);
     }
     if let Some(standard) = subject.standard {
-        parts.push(Part::Text(format!("Standard: {standard}")));
+        parts.push(Part::Text(format!("{STANDARD}{standard}")));
     }
     parts.extend(setting::parts(subject, &units, style)?);
     parts.extend(questions::predictions(subject, filled));
@@ -183,12 +203,15 @@ fn compute(subject: &Subject<'_>, style: Style, filled: bool) -> String {
         } else {
             ""
         };
-    let rule = match (filled, style.digits) {
-        (true, Digits::Significant(digits)) => {
-            format!("Decimals are rounded to nearest, to {digits} significant digits.")
-        }
-        (true, Digits::Places(places)) => format!("Decimals are rounded to nearest, to {places} places."),
-        (false, _) => "Fill in the empty cells.".to_owned(),
+    let rounded = match style.digits {
+        Digits::Significant(digits) => counted(usize::try_from(digits).unwrap_or(usize::MAX), "significant digit"),
+        Digits::Places(places) => counted(usize::try_from(places).unwrap_or(usize::MAX), "decimal place"),
+    };
+    let rule = match filled {
+        true => format!("Decimals are rounded to nearest, to {rounded}."),
+        false => format!(
+            "Fill in the empty cells with exact numbers, or round to {rounded}. Carry more digits while you compute."
+        ),
     };
     format!("{about}{measured} {rule}")
 }
@@ -207,7 +230,7 @@ fn table(c: &Collision, place: usize, units: &Units, style: Style, filled: bool)
         Ok(match (given, filled) {
             (true, _) => Cell::Number(written(entry, style)?),
             (_, true) => Cell::Number(number(entry, style)?),
-            _ => Cell::Blank,
+            _ => Cell::Blank(Expected::of(entry, &number(entry, style)?, style.digits)),
         })
     };
     let row = |name: String, cells: Vec<Result<Cell, NumberError>>| {

@@ -136,8 +136,8 @@ impl Flow<'_> {
             Part::Heading(_) => HEADING * LEADING + 12.0,
             Part::Text(content) => text(content, 0.0) + 5.0,
             Part::Sketch(sketch) => sketch.height() + 14.0,
-            Part::Choice { ask, options } => text(ask, 0.0) + self.rows(options).len() as f32 * BODY * 1.7 + 7.0,
-            Part::Open { ask, answer, lines } => {
+            Part::Choice { ask, options, .. } => text(ask, 0.0) + self.rows(options).len() as f32 * BODY * 1.7 + 7.0,
+            Part::Open { ask, answer, lines, .. } => {
                 let below = answer.as_ref().map_or(*lines as f32 * PEN, |answer| text(answer, 18.0));
                 text(ask, 0.0) + below + 7.0
             }
@@ -209,7 +209,7 @@ impl Flow<'_> {
                 }
                 self.y += sketch.height() + 10.0;
             }
-            Part::Choice { ask, options } => {
+            Part::Choice { ask, options, .. } => {
                 self.paragraph(ask, BODY, 0.0);
                 for row in self.rows(options) {
                     self.y += BODY * 1.7;
@@ -222,7 +222,7 @@ impl Flow<'_> {
                 }
                 self.y += 7.0;
             }
-            Part::Open { ask, answer, lines } => {
+            Part::Open { ask, answer, lines, .. } => {
                 self.paragraph(ask, BODY, 0.0);
                 match answer {
                     Some(answer) => self.paragraph(answer, BODY, 18.0),
@@ -283,7 +283,7 @@ impl Flow<'_> {
                             let size = self.fitted(&shown, BODY, column - 2.0 * PAD);
                             self.text((edge(place) - PAD, base), &shown, size, Anchor::End);
                         }
-                        Cell::Blank => {
+                        Cell::Blank(_) => {
                             let (x, end) = (edge(place) - column + 3.0, edge(place) - 3.0);
                             let (y, low) = (top + 2.0, self.y - 2.0);
                             let points = vec![(x, y), (end, y), (end, low), (x, low), (x, y)];
@@ -301,7 +301,7 @@ impl Flow<'_> {
 
 /// The height of a row.
 fn height(cells: &[Cell]) -> f32 {
-    if cells.contains(&Cell::Blank) { PEN } else { PRINTED }
+    if cells.iter().any(|cell| matches!(cell, Cell::Blank(_))) { PEN } else { PRINTED }
 }
 
 /// A number with true minus signs, and its power of ten raised.
@@ -333,8 +333,15 @@ mod tests {
         let standard =
             Some("a standard of so many words that it does not fit on a single line of a page, whatever the paper");
         let title = "A title that goes on and on, longer than a line of any page on which it could ever be printed";
-        let subject =
-            Subject { worksheet: &worksheet, about: &about, drop, title, version: Some(('A', u64::MAX)), standard };
+        let subject = Subject {
+            worksheet: &worksheet,
+            about: &about,
+            drop,
+            title,
+            version: Some(('A', u64::MAX)),
+            standard,
+            asked: None,
+        };
         let style = Style { digits: Digits::Significant(60), exact: true };
         [false, true].map(|filled| sheet(&subject, style, filled).expect("a sheet")).to_vec()
     }

@@ -19,13 +19,13 @@ pub fn text(sheet: &Sheet) -> String {
             Part::Heading(text) => out.push_str(&headed(text, '-')),
             Part::Text(text) => out.push_str(&filled(text)),
             Part::Sketch(sketch) => sketch.lines().iter().for_each(|line| out.push_str(&format!("  {line}\n"))),
-            Part::Choice { ask, options } => {
+            Part::Choice { ask, options, .. } => {
                 out.push_str(&filled(ask));
                 for (text, right) in options {
                     out.push_str(&format!("   [{}] {text}\n", if *right { 'x' } else { ' ' }));
                 }
             }
-            Part::Open { ask, answer, lines } => {
+            Part::Open { ask, answer, lines, .. } => {
                 out.push_str(&filled(ask));
                 match answer {
                     Some(answer) => out.push_str(&format!("   {answer}\n")),
@@ -50,7 +50,7 @@ pub fn markdown(sheet: &Sheet) -> String {
             Part::Heading(text) => out.push_str(&format!("## {}\n", escape(text))),
             Part::Text(text) => out.push_str(&format!("{}\n", escape(text))),
             Part::Sketch(sketch) => out.push_str(&format!("```text\n{}\n```\n", sketch.lines().join("\n"))),
-            Part::Choice { ask, options } => {
+            Part::Choice { ask, options, .. } => {
                 out.push_str(&format!("{}\n\n", escape(ask)));
                 for (text, right) in options {
                     out.push_str(&format!("- [{}] {}\n", if *right { 'x' } else { ' ' }, escape(text)));
@@ -69,7 +69,7 @@ pub fn markdown(sheet: &Sheet) -> String {
                 for row in table.groups.iter().flatten() {
                     let cells = row.cells.iter().map(|cell| match cell {
                         Cell::Number(text) => text.as_str(),
-                        Cell::Blank | Cell::Nothing => "",
+                        Cell::Blank(_) | Cell::Nothing => "",
                     });
                     out.push_str(&format!("| {} | {} |\n", escape(&row.name), cells.collect::<Vec<_>>().join(" | ")));
                 }
@@ -104,7 +104,7 @@ fn filled(text: &str) -> String {
 fn aligned(table: &Table) -> String {
     let shown = |cell: &Cell| match cell {
         Cell::Number(text) => text.clone(),
-        Cell::Blank => BLANK.to_owned(),
+        Cell::Blank(_) => BLANK.to_owned(),
         Cell::Nothing => String::new(),
     };
     let mut rows = vec![std::iter::once(String::new()).chain(table.columns.iter().cloned()).collect::<Vec<String>>()];
