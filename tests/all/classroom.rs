@@ -1,7 +1,12 @@
 //! What a teacher makes and reads: versions of sheets, measured balls, readings of bounces, cross tables, own points.
 
 use crate::support::{carom, good, text, with_input};
+use carom::number::decimal::Digits;
 use carom::number::rational::parse;
+use carom::report::worksheet::Style;
+use carom::report::worksheet::made::{STANDARD, Wanted, sheets};
+use carom::report::worksheet::pages::pages;
+use carom::scene::read::described;
 use malachite::Rational;
 use std::process::Command;
 
@@ -46,6 +51,36 @@ fn neighbours_guess_the_same() {
             assert_eq!(same, 0, "{name} {seed}: A and B have questions in common");
         }
     }
+}
+
+#[test]
+fn a_sheet_with_its_key_needs_more_than_a_page_for_each() {
+    // Twenty scenes, on both papers, every second one with a version: a page for the pupil, a page for the teacher.
+    let names = ["car-chain", "stacked-balls", "stacked-balls-16-times", "three-balls-measured"];
+    let shipped = names.map(|name| std::fs::read_to_string(scene(name)).expect("a scene"));
+    let random = (0..).map(crate::teaching::random_chain);
+    let style = Style { digits: Digits::Significant(4), exact: false };
+    let wanted = |versions| Wanted {
+        title: "Carts on a long track",
+        standard: Some(STANDARD),
+        blank: true,
+        key: true,
+        versions,
+        seed: 7,
+        style,
+    };
+    let mut tried = 0;
+    for (text, place) in shipped.into_iter().chain(random).zip(0..30) {
+        let (about, subject) = described(&text).expect("a scene");
+        // A pass that does not take place makes no sheet.
+        let Ok(made) = sheets(&about, &subject, &wanted(place % 2)) else { continue };
+        tried += 1;
+        for letter in [false, true] {
+            let count = pages(&made, letter).len();
+            assert_eq!(count, made.len(), "letter paper {letter}: {text}");
+        }
+    }
+    assert!(tried >= 20, "{tried} scenes");
 }
 
 #[test]

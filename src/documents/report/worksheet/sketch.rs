@@ -89,6 +89,12 @@ impl Sketch {
         format!("Sketch, {order}: {}", list.join("; "))
     }
 
+    /// Whether the bodies stand one above the other.
+    #[must_use]
+    pub fn is_upright(&self) -> bool {
+        self.upright
+    }
+
     /// How high the drawing is.
     #[must_use]
     pub fn height(&self) -> f32 {
