@@ -68,7 +68,7 @@ test("a spelling decides, or what was typed is lost", async () => {
     await form.locator(`[name="${name}"]`).blur();
     return form.locator(`[id="${name}-mark"]`).textContent();
   };
-  for (const text of [right, right.replace(".", ","), ` ${right} `, `+${right}`, `${Number(right) * 100} %`, `${right}*1`]) {
+  for (const text of [right, right.replace(".", ","), ` ${right} `, `+${right}`, `${(Number(right) * 100).toFixed(4)} %`, `${right}*1`]) {
     assert.equal(await say(text), "right", text);
   }
   for (const text of [`${Number(right) + 1}`, "0", `-${right}`]) assert.equal(await say(text), "not yet", text);

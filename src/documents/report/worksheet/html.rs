@@ -20,12 +20,13 @@ pub fn page(sheets: &[Sheet], letter: bool) -> String {
     let mut out = format!(
         "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
          <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>{}</title>\n\
-         <style>\n@page {{ size: {paper}; margin: 18mm; }}\n{STYLE}</style>\n</head>\n<body>\n",
+         <style>\n@page {{ size: {paper}; margin: 18mm; }}\n{STYLE}</style>\n</head>\n<body>\n<main>\n",
         escape(title)
     );
     for (place, sheet) in sheets.iter().enumerate() {
         out.push_str(&one(sheet, place));
     }
+    out.push_str("</main>\n");
     if sheets.iter().any(is_marked) {
         out.push_str(&format!("<script>\n{SCRIPT}</script>\n"));
     }
@@ -38,8 +39,11 @@ fn expected(sheet: &Sheet) -> impl Iterator<Item = Option<&Expected>> {
     sheet.parts.iter().flat_map(|part| match part {
         Part::Table(table) => {
             let cells = table.groups.iter().flatten().flat_map(|row| &row.cells);
-            let blank = |cell| if let &Cell::Blank(ref expected) = cell { Some(expected.as_ref()) } else { None };
-            cells.filter_map(blank).collect::<Vec<_>>()
+            let blanks = cells.filter_map(|cell| match cell {
+                Cell::Blank(expected) => Some(expected.as_ref()),
+                _ => None,
+            });
+            blanks.collect::<Vec<_>>()
         }
         Part::Open { answer: None, numbers, .. } => numbers.iter().map(|number| number.expected.as_ref()).collect(),
         _ => Vec::new(),
