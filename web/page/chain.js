@@ -9,7 +9,10 @@ import * as stage from "./stage.js";
 import * as state from "./state.js";
 import { whyButton } from "./why.js";
 
-const BEGINNING = { m1: "10", m2: "1", e: "9/10", n: "7", inserted: "optimal", masses: "", velocities: "", digits: "15", picture: "eta-n" };
+const BEGINNING = { m1: "10", m2: "1", e: "9/10", n: "7", inserted: "optimal", masses: "", velocities: "", gaps: "", left: "", right: "", wall: "",
+  digits: "15", picture: "eta-n" };
+/** The fields for distances and walls. */
+const PLACES = ["gaps", "left", "right", "wall"];
 const EXAMPLES = [
   ["Ten to one, seven bodies between", { m1: "10", m2: "1", e: "9/10", n: "7" }],
   ["Exactly on the threshold", { m1: "64", m2: "1", e: "44/81", n: "2" }],
@@ -20,6 +23,7 @@ const EXAMPLES = [
   ["A restitution for each collision", { m1: "10", m2: "1", e: "9/10, 4/5, 7/10", n: "2" }],
   ["Masses of your own", { m1: "10", m2: "1", e: "9/10", masses: "5, 5/2" }],
   ["Two bodies towards each other", { m1: "2", m2: "1", e: "1/2", n: "0", velocities: "1, -1" }],
+  ["Two bodies between walls", { m1: "2", m2: "1", e: "1", n: "0", velocities: "1, -1", gaps: "2", left: "1", right: "1", wall: "0.9" }],
   ["Two bodies towards a third", { m1: "2", m2: "1", e: "1/2", masses: "1", velocities: "1, 0, -1/2" }],
 ];
 /** Collisions that are listed. */
@@ -63,6 +67,7 @@ const fields = () => ({
   inserted: $("given").checked ? "given" : "optimal",
   masses: $("masses").value,
   velocities: $("moving").checked ? $("v0").value : "",
+  ...Object.fromEntries(PLACES.map((key) => [key, $("placed").checked ? $(key).value : ""])),
   digits: $("digits").value,
 });
 
@@ -132,6 +137,35 @@ function fitVelocities() {
   $("v0").value = joined(list.slice(0, count + 2));
 }
 
+/** As many distances as pairs of neighbours: new bodies stand one unit apart. */
+function fitGaps() {
+  const count = $("given").checked ? elements($("masses").value).filter(Boolean).length : Number($("n").value);
+  if (!$("placed").checked || !Number.isInteger(count) || count < 0 || count > 200) return;
+  const list = elements($("gaps").value).filter(Boolean);
+  while (list.length < count + 1) list.push("1");
+  $("gaps").value = joined(list.slice(0, count + 1));
+}
+
+/** A distance as it is dragged to: in hundredths. */
+const hundredths = (x) => String(Math.round(100 * Math.max(x, 0)) / 100);
+
+/** A body was dragged so far: the distances beside it change, and no other ones. */
+function dragged(body, by) {
+  const { gaps, room } = replay.drawn;
+  if (!$("placed").checked) {
+    $("placed").checked = true;
+    layout();
+  }
+  fitGaps();
+  const list = elements($("gaps").value);
+  if (body > 0) list[body - 1] = hundredths(gaps[body - 1] + by);
+  else if (room[0] !== null) $("left").value = hundredths(room[0] + by);
+  if (body < gaps.length) list[body] = hundredths(gaps[body] - by);
+  else if (room[1] !== null) $("right").value = hundredths(room[1] - by);
+  $("gaps").value = joined(list);
+  ask();
+}
+
 /** Whether a text is a list at first sight: a comma with a blank after it, or more than a decimal comma. */
 const several = (text) => elements(text).length > (/^[^,;[]*,\S[^,;]*$/.test(text) && !/[./%]/.test(text) ? 2 : 1);
 
@@ -142,6 +176,8 @@ function restore() {
   rounded = state.get("rounded", "") ? $("masses").value : null;
   $("v0").value = state.get("velocities", "");
   $("moving").checked = Boolean($("v0").value);
+  for (const key of PLACES) $(key).value = state.get(key, "");
+  $("placed").checked = PLACES.some((key) => $(key).value);
   $("each").checked = several($("e").value);
   $("picture").value = state.get("picture", BEGINNING.picture);
   if (!$("picture").value) $("picture").value = BEGINNING.picture;
@@ -154,6 +190,7 @@ function layout() {
   $("masses-field").hidden = !$("given").checked;
   $("velocities-field").hidden = !$("moving").checked;
   $("masses-note").textContent = isRounded() ? "≈ The optimal masses are irrational. These are rounded, and the answers are those of the rounded masses." : "";
+  form.querySelectorAll(".placing").forEach((part) => (part.hidden = !$("placed").checked));
   $("rest").hidden = $("moving").checked;
   form.querySelector('[data-field="n"]').hidden = $("given").checked;
   showLists();
@@ -313,6 +350,7 @@ async function askReplay(request) {
   replay = found.error ? null : found;
   stage.show(replay);
   const notes = [];
+  if (PLACES.includes(found.error?.field)) showFault(form, $("chain-error"), found.error);
   if (found.error) notes.push(`No replay: ${sentence(found.error)}.`);
   else {
     if (found.middle) {
@@ -324,10 +362,12 @@ async function askReplay(request) {
       notes.push(`The optimal masses are irrational. The replay takes them with ${found.rounded} digits; its numbers, marked ≈, are those of that chain. `
         + (found.middle ? "" : "The velocities in the table are the chain's own."));
     } else if (!found.exact) notes.push("Numbers that became too long are enclosed; count and order of the collisions are certain.");
-    notes.push("The bodies start one unit apart. Their sizes are chosen for the eye and change no velocity.");
+    notes.push(found.walled ? "The answers on this page are those of one pass without walls; the replay has the walls."
+      : "The answers on this page are those of one pass, in which each body strikes the next one once.");
+    notes.push(`${$("placed").checked ? "" : "The bodies start one unit apart. "}Their sizes are chosen for the eye and change no velocity.`);
   }
   $("totals").textContent = found.error ? "" : `Kinetic energy at the start ${plain(found.energy)}, lost as heat in all ${plain(found.lost)}. `
-    + `Momentum ${plain(found.momentum)}, the same at all times.`;
+    + `Momentum ${found.walled ? "at the start " : ""}${plain(found.momentum)}, ${found.walled ? "which the walls change" : "the same at all times"}.`;
   $("replay-note").textContent = notes.join(" ");
   $("middle").hidden = !found.middle;
   $("middle").textContent = found.middle ? `Shown: the middle of the measured values, ${found.middle}` : "";
@@ -478,6 +518,8 @@ export function start() {
     $("given").checked = Boolean(example.masses);
     $("v0").value = example.velocities ?? "";
     $("moving").checked = Boolean(example.velocities);
+    for (const key of PLACES) $(key).value = example[key] ?? "";
+    $("placed").checked = PLACES.some((key) => example[key]);
     $("each").checked = several($("e").value);
     layout();
     const { picture, digits } = { picture: $("picture").value, digits: $("digits").value };
@@ -489,9 +531,9 @@ export function start() {
   attach($("m1-slider"), $("m1"), MASS, ask);
   attach($("m2-slider"), $("m2"), MASS, ask);
   attach($("e-slider"), $("e"), RESTITUTION, ask);
-  attach($("n-slider"), $("n"), COUNT, () => { fit(); fitVelocities(); ask(); });
-  for (const id of ["m1", "m2", "e", "v0", "digits"]) $(id).addEventListener("input", ask);
-  for (const id of ["n", "masses"]) $(id).addEventListener("input", () => { fit(); fitVelocities(); layout(); ask(); });
+  attach($("n-slider"), $("n"), COUNT, () => { fit(); fitVelocities(); fitGaps(); ask(); });
+  for (const id of ["m1", "m2", "e", "v0", "digits", ...PLACES]) $(id).addEventListener("input", ask);
+  for (const id of ["n", "masses"]) $(id).addEventListener("input", () => { fit(); fitVelocities(); fitGaps(); layout(); ask(); });
   $("moving").addEventListener("change", () => {
     // Velocities of all bodies go with given masses; without inserted bodies all masses are given.
     if ($("moving").checked && !$("given").checked && $("n").value.trim() !== "0") $("given").click();
@@ -499,6 +541,12 @@ export function start() {
     layout();
     ask();
   });
+  $("placed").addEventListener("change", () => {
+    fitGaps();
+    layout();
+    ask();
+  });
+  stage.onDrag(dragged);
   $("each").addEventListener("change", () => {
     if ($("each").checked) fit();
     else $("e").value = elements($("e").value)[0] || BEGINNING.e;
@@ -515,6 +563,7 @@ export function start() {
     }
     fit();
     fitVelocities();
+    fitGaps();
     layout();
     ask();
   });

@@ -32,6 +32,8 @@ let centre = null;
 let across = (x) => x;
 let state = { past: -1 };
 let sounds = null;
+/** Hears of a body that was dragged, and how far. */
+let moved = () => {};
 
 /** When the struck pairs have all met once: the end of the pass. */
 function passEnd() {
@@ -81,8 +83,9 @@ function build() {
     }
   });
   const room = Math.max((to - from) * 0.05, 0.3);
-  from -= room;
-  to += room * 2;
+  const walls = data.drawn.walls;
+  from = walls[0] === null ? from - room : walls[0] - room / 4;
+  to = walls[1] === null ? to + room * 2 : walls[1] + room / 4;
   const unit = width / (to - from);
   across = (x) => (x - from) * unit;
   const largest = Math.max(...half) * unit;
@@ -92,13 +95,18 @@ function build() {
   stage.setAttribute("viewBox", `0 0 ${width} ${height}`);
   stage.style.height = `${height}px`;
   stage.replaceChildren(shape("line", { x1: 0, x2: width, y1: rail, y2: rail, class: "rail" }));
+  for (const [side, x] of walls.entries()) {
+    if (x !== null) stage.append(shape("rect", { x: across(x) - (side ? 0 : 5), y: 0, width: 5, height: height - 16, class: "wall" }));
+  }
   arrows = [];
   // Numbers as long as there is room for them.
   const numbered = width / worldlines.length >= 16;
   discs = worldlines.map((_, i) => {
     const radius = Math.max(half[i] * unit, 3);
     const group = shape("g", {});
-    group.append(shape("circle", { cy: rail, r: radius, fill: colour(i), class: "body" }));
+    const circle = shape("circle", { cy: rail, r: radius, fill: colour(i), class: "body" });
+    circle.addEventListener("pointerdown", (event) => drag(event, i, unit));
+    group.append(circle);
     if (numbered) group.append(shape("text", { y: height - 4, class: "body-number" }, String(i + 1)));
     const arrow = shape("path", { class: "arrow", stroke: colour(i), fill: colour(i) });
     arrow.toggleAttribute("hidden", !$("arrows").checked);
@@ -107,12 +115,43 @@ function build() {
     stage.append(group);
     return group;
   });
-  centre = $("centre").checked ? shape("path", { class: "centre", d: `M0 ${rail - 9}l6 9l-6 9l-6 -9z` }) : null;
+  centre = $("centre").checked && data.drawn.centre ? shape("path", { class: "centre", d: `M0 ${rail - 9}l6 9l-6 9l-6 -9z` }) : null;
   if (centre) stage.append(centre);
   state = { past: -1, most: extremes(), longest: Math.min(70, width / 6) };
   graph.build(data, states, stop());
   draw();
 }
+
+/** Drags a body to another place before the start, no farther than to its neighbours and the walls. */
+function drag(down, body, unit) {
+  if (now > 0 || playing || down.button !== 0) return;
+  down.preventDefault();
+  const { gaps, room } = data.drawn;
+  const free = (gap, wall) => gap ?? wall ?? Infinity;
+  const [least, most] = [-free(gaps[body - 1], room[0]), free(gaps[body], room[1])];
+  const from = place(data.drawn.worldlines[body], 0);
+  const target = down.currentTarget;
+  // The picture is as wide as its box, whatever the zoom.
+  const scale = unit * ($("stage").getBoundingClientRect().width / Math.max($("stage").clientWidth, 280));
+  let by = 0;
+  target.setPointerCapture(down.pointerId);
+  target.classList.add("dragged");
+  const follow = (event) => {
+    by = Math.min(Math.max((event.clientX - down.clientX) / scale, least), most);
+    discs[body].setAttribute("transform", `translate(${across(from + by).toFixed(2)} 0)`);
+  };
+  const end = (event) => {
+    for (const [name, work] of Object.entries(hears)) target.removeEventListener(name, work);
+    target.classList.remove("dragged");
+    if (event.type === "pointerup" && Math.abs(by) >= 0.005) moved(body, by);
+    else draw();
+  };
+  const hears = { pointermove: follow, pointerup: end, pointercancel: end };
+  for (const [name, work] of Object.entries(hears)) target.addEventListener(name, work);
+}
+
+/** Who hears of a body that was dragged. */
+export const onDrag = (work) => { moved = work; };
 
 /** The arrow of a velocity: its length from the engine's double. */
 function arrowPath(v) {
@@ -188,15 +227,22 @@ function draw() {
   $("time").setAttribute("aria-valuetext", progress(past));
   $("event").replaceChildren(...words(past));
   if (playing || document.activeElement?.closest("#player")) announce($("event").textContent);
-  const moved = states[past];
-  arrows.forEach((arrow, i) => arrow.setAttribute("d", arrowPath(moved.velocities[i])));
-  if ($("ledger").checked) bars(moved);
-  if (table.open) graph.numbers(moved);
+  const shown = states[past];
+  arrows.forEach((arrow, i) => arrow.setAttribute("d", arrowPath(shown.velocities[i])));
+  if ($("ledger").checked) bars(shown);
+  if (table.open) graph.numbers(shown);
 }
 
 /** How far the replay is; infinitely many collisions at once, after which bodies move on together, are one step. */
 const progress = (past) => data.events.some((c) => c.joined)
   ? `${past} of ${data.events.length} steps (${data.total}).` : `${past} of ${data.total}.`;
+
+/** Who collides, as a sentence begins. */
+function meeting(pair) {
+  if (!pair.includes("wall")) return `Bodies ${pair}`;
+  const named = pair.split("–").map((one) => (one.includes("wall") ? `the ${one}` : `body ${one}`)).join(" and ");
+  return named[0].toUpperCase() + named.slice(1);
+}
 
 /** The last collision in words, with its exact numbers. */
 function words(past) {
@@ -207,9 +253,9 @@ function words(past) {
     return [count, `Bodies ${c.pair} at t ${c.time.approximate ? "" : "= "}`, written(c.time), ": infinitely many collisions. They move on together with velocity ",
       written(c.after[0]), ". Heat: ", written(c.lost), "."];
   }
-  return [count, `Bodies ${c.pair} at t ${c.time.approximate ? "" : "= "}`, written(c.time), ": velocities ", written(c.before[0]), ", ", written(c.before[1]),
+  return [count, `${meeting(c.pair)} at t ${c.time.approximate ? "" : "= "}`, written(c.time), ": velocities ", written(c.before[0]), ", ", written(c.before[1]),
     " become ", written(c.after[0]), ", ", written(c.after[1]), ". Heat: ", written(c.lost),
-    c.of_the_pass ? "." : make("em", {}, ". They meet again.")];
+    c.of_the_pass || c.pair.includes("wall") ? "." : make("em", {}, ". They meet again.")];
 }
 
 function frame(stamp) {

@@ -26,6 +26,7 @@ const STATES = [
   ["wrong input", "", async (page) => { await answered(page); await page.fill("#m1", "ten"); await shows(page, "#m1-error", "ten"); }],
   ["each its own", "#e=9%2F10%2C+4%2F5%2C+7%2F10&n=2", async (page) => answered(page)],
   ["own masses and velocities", "#inserted=given&masses=1&velocities=1%2C+0%2C+-1", async (page) => answered(page)],
+  ["distances and walls", "#m1=2&n=0&e=1&velocities=1%2C+-1&gaps=2&left=1&right=1&wall=0.9", async (page) => { await answered(page); await page.waitForSelector("#stage .wall"); }],
   ["measured", "#m1=57.1+%C2%B1+0.1&e=%5B0.88%2C+0.92%5D&n=3", async (page) => answered(page)],
   ["prediction", "", async (page) => { await answered(page); await page.click("#predict"); }],
   ["prediction marked", "", async (page) => { await answered(page); await page.click("#predict"); await page.fill("#guess", "0.5"); await page.click("#check"); await shows(page, "#mark", "Too"); await page.click("#play"); }],

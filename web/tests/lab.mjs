@@ -532,6 +532,45 @@ test("bodies and collisions are saved as CSV, all of them", async () => {
   });
 });
 
+test("a body is dragged to another place, and walls are those of the fields", async () => {
+  await visit("#m1=2&n=0&e=1&velocities=1,+-1", async (page) => {
+    await answered(page);
+    await page.waitForSelector("#stage g circle");
+    await page.locator("#time").fill("0");
+    assert.equal(await page.locator("#placed").isChecked(), false);
+    const drag = async (body, by) => {
+      const box = await page.locator("#stage circle").nth(body).boundingBox();
+      const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
+      await page.mouse.move(x, y);
+      await page.mouse.down();
+      await page.mouse.move(x + by, y, { steps: 5 });
+      await page.mouse.up();
+    };
+    // The second body to the right: the way between the two grows, and the fields are there.
+    await drag(1, 60);
+    await page.waitForFunction(() => Number(document.getElementById("gaps").value) > 1);
+    assert.ok(await page.locator("#gaps").isVisible() && await page.locator("#placed").isChecked());
+    // With walls a body goes no farther than to its wall.
+    for (const [id, text] of [["gaps", "2"], ["left", "1"], ["right", "0,5"], ["wall", "90 %"]]) await page.fill(`#${id}`, text);
+    await page.waitForFunction(() => document.querySelectorAll("#stage .wall").length === 2);
+    await shows(page, "#totals", "which the walls change");
+    await page.locator("#time").fill("0");
+    await drag(0, -900);
+    await page.waitForFunction(() => document.getElementById("left").value === "0");
+    assert.equal(await page.inputValue("#gaps"), "3");
+    assert.equal(await page.inputValue("#right"), "0,5", "what was typed and not dragged stays");
+    await page.click("#view-all");
+    await page.click("#forward");
+    await page.click("#forward");
+    await shows(page, "#event", "wall");
+    await shoot(page, "walls");
+    await page.fill("#left", "far");
+    await shows(page, "#left-error", "far");
+    await page.reload();
+    assert.equal(await page.inputValue("#right"), "0,5", "a link keeps the walls");
+  });
+});
+
 test("embedded, a room stands alone", async () => {
   await visit("?embed=1#m1=2&n=0&e=1/2", async (page) => {
     await answered(page);

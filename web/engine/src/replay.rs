@@ -1,6 +1,7 @@
 //! The collisions of a chain, one by one.
 //!
-//! The bodies are rods that stand one unit apart, the first one moving. Rods behave as points do: their lengths,
+//! The bodies are rods that stand one unit apart, or at the distances `gaps`, perhaps between walls at the distances `left` and
+//! `right` from them; the first one moves, or each has its own velocity. Rods behave as points do: their lengths,
 //! chosen for the eye, shift when collisions happen and change no velocity. Inserted masses that are irrational are
 //! replaced by decimals of [`MASS_DIGITS`] digits: every number of such a replay is written as an approximation, with
 //! [`APPROXIMATE`] digits. A replay goes on where bodies stick and from a collapse: an event that stands for infinitely
@@ -14,7 +15,7 @@ use carom_documents::report::replay::{Numbers, Replay, counted, decimal, group, 
 use carom_exact::number::decimal::{Digits, Rounding};
 use carom_exact::number::rational;
 use carom_physics::chain::recollision::WARNING;
-use carom_physics::chain::replay::{self, Body, Entry, Limit, Line, Options, Outcome, Status, Value as Exact};
+use carom_physics::chain::replay::{self, Body, Entry, Limit, Line, Options, Outcome, Status, Value as Exact, Wall};
 use carom_physics::scene::answer::{Answers, Number, Value as Answer};
 use carom_physics::scene::quantity::Quantity;
 use carom_physics::scene::{Chain, Scene, Start};
@@ -43,7 +44,8 @@ pub fn replay(request: &Request) -> Result<Value, Fault> {
         return Err(Fault::new(message).limit().help("the numbers on this page are about all of them"));
     }
     let (masses, rounded) = masses(&chain)?;
-    let line = line(&chain, &masses)?;
+    let around = Around::of(request, masses.len())?;
+    let line = line(&chain, &masses, &around)?;
     let options = Options {
         max_events: MAX_EVENTS,
         list: usize::try_from(MAX_EVENTS).unwrap_or(usize::MAX),
@@ -60,6 +62,7 @@ pub fn replay(request: &Request) -> Result<Value, Fault> {
     let written = |x: &Exact| if rounded { approximate(x) } else { exact(x) };
     let rational = |x: &Rational| written(&Exact::Exact(x.clone()));
     let shown = Shown::of(&line, &outcome);
+    let is_walled = around.left.is_some() || around.right.is_some();
     // The pass is the first meeting of each pair.
     let mut met = vec![false; line.bodies() + 1];
     let mut again = false;
@@ -116,7 +119,12 @@ pub fn replay(request: &Request) -> Result<Value, Fault> {
         "exact": outcome.enclosed.is_none(),
         "rounded": rounded.then_some(MASS_DIGITS),
         "middle": middle,
-        "final": outcome.velocities.iter().map(&written).collect::<Vec<_>>(),
+        // Where collisions are left, nobody has a last velocity.
+        "final": match &outcome.status {
+            Status::Complete => outcome.velocities.iter().map(&written).collect(),
+            _ => Vec::new(),
+        },
+        "walled": is_walled,
         "lost": written(&outcome.energy.lost),
         // Bodies of rounded mass rest before the first collision: what is known then is exact.
         "energy": exact(&outcome.energy.initial),
@@ -133,7 +141,11 @@ pub fn replay(request: &Request) -> Result<Value, Fault> {
             "range": [lines.range.0, lines.range.1],
             "masses": shown.masses,
             "start": shown.start,
-            "centre": [shown.centre.0, shown.centre.1],
+            // Walls change the momentum, and the centre of mass turns.
+            "centre": (!is_walled).then_some([shown.centre.0, shown.centre.1]),
+            "gaps": around.gaps.iter().map(double).collect::<Vec<_>>(),
+            "walls": [lines.walls.0, lines.walls.1],
+            "room": [around.left.as_ref().map(double), around.right.as_ref().map(double)],
         },
         "svg": svg::report(&replay),
     }))
@@ -236,8 +248,48 @@ fn masses(chain: &Chain) -> Result<(Vec<Rational>, bool), Fault> {
     Ok((list.ok_or_else(|| Fault::new("the masses are not known"))?, rounded))
 }
 
-/// The bodies on their line: one unit of free way before each, lengths as the cube roots of masses.
-fn line(chain: &Chain, masses: &[Rational]) -> Result<Line, Fault> {
+fn double(x: &Rational) -> f64 {
+    f64::rounding_from(x, RoundingMode::Nearest).0
+}
+
+/// What is around the bodies.
+struct Around {
+    /// The free way from each body to the next.
+    gaps: Vec<Rational>,
+    /// The free ways from the walls to the outer bodies, where there are walls.
+    left: Option<Rational>,
+    right: Option<Rational>,
+    /// The restitution of the walls.
+    restitution: Rational,
+}
+
+impl Around {
+    /// The fields `gaps`, `left`, `right` and `wall`. An empty one stands for gaps of 1, no wall and elastic walls.
+    fn of(request: &Request, bodies: usize) -> Result<Around, Fault> {
+        let needed = bodies.saturating_sub(1);
+        // A comma in a single distance is a decimal one.
+        let mut gaps = match needed {
+            1 => request.distance("gaps")?.into_iter().collect(),
+            _ => request.distances("gaps")?,
+        };
+        if gaps.is_empty() {
+            gaps = vec![Rational::ONE; needed];
+        }
+        if gaps.len() != needed {
+            let message = format!("{} distances for {bodies} bodies: {needed} are needed", gaps.len());
+            return Err(Fault::at("gaps", message));
+        }
+        let is_empty = request.text("wall")?.is_empty();
+        let restitution = if is_empty { Rational::ONE } else { request.single("wall")? };
+        if !(Rational::ZERO..=Rational::ONE).contains(&restitution) {
+            return Err(Fault::at("wall", "a restitution is between 0 and 1"));
+        }
+        Ok(Around { gaps, left: request.distance("left")?, right: request.distance("right")?, restitution })
+    }
+}
+
+/// The bodies on their line with the free way between them, lengths as the cube roots of masses.
+fn line(chain: &Chain, masses: &[Rational], around: &Around) -> Result<Line, Fault> {
     let near = |m: &Rational| f64::rounding_from(m, RoundingMode::Nearest).0;
     let heaviest = masses.iter().map(near).fold(f64::MIN_POSITIVE, f64::max);
     let restitutions = chain.restitutions().0;
@@ -247,7 +299,7 @@ fn line(chain: &Chain, masses: &[Rational]) -> Result<Line, Fault> {
         Start::Velocities(list) => list.get(i).cloned().unwrap_or(Rational::ZERO),
     };
     let mut bodies = Vec::with_capacity(masses.len());
-    let mut place = Rational::ZERO;
+    let (mut place, mut end) = (Rational::ZERO, Rational::ZERO);
     for (i, mass) in masses.iter().enumerate() {
         // From 1/8 to 1, in steps of 1/64.
         let steps = (64.0 * (near(mass) / heaviest).cbrt()).round().clamp(8.0, 64.0);
@@ -259,11 +311,16 @@ fn line(chain: &Chain, masses: &[Rational]) -> Result<Line, Fault> {
             velocity: velocity(i),
             length: length.clone(),
         });
-        place += length + Rational::ONE;
+        place += length;
+        end = place.clone();
+        place += around.gaps.get(i).unwrap_or(&Rational::ONE);
     }
     let pairs: Vec<Rational> =
         (0..masses.len() as u64 - 1).filter_map(|i| restitutions.at(i).map(|e| e.value().clone())).collect();
-    Line::new(&bodies, &pairs, None, None).map_err(|error| Fault::new(error.to_string()))
+    let wall = |position| Wall { position, restitution: around.restitution.clone() };
+    let left = around.left.as_ref().map(|way| wall(-way));
+    let right = around.right.as_ref().map(|way| wall(end + way));
+    Line::new(&bodies, &pairs, left.as_ref(), right.as_ref()).map_err(|error| Fault::new(error.to_string()))
 }
 
 #[cfg(test)]
@@ -287,6 +344,36 @@ mod tests {
         for i in 0..4 {
             let exact = &pass["answers"]["velocities"]["value"][i]["exact"];
             assert_eq!(&found["final"][i]["text"], exact, "{found}");
+        }
+    }
+
+    #[test]
+    fn walls_and_distances_are_those_of_the_fields() {
+        let ask = |more: Value| {
+            let mut request = json!({"m1": "1", "m2": "1", "e": "1", "n": "0", "velocities": "1; 0"});
+            request.as_object_mut().expect("fields").extend(more.as_object().expect("fields").clone());
+            serde_json::from_str::<Value>(&crate::replay(&request.to_string())).expect("JSON")
+        };
+        // Body 1 comes 3 units far, body 2 goes 2 more to the wall: the times are 3 and 5.
+        let found = ask(json!({"gaps": "3", "right": "2", "wall": "1/2"}));
+        let events = found["events"].as_array().expect("a list");
+        assert_eq!((&events[0]["time"]["text"], &events[1]["time"]["text"]), (&json!("3"), &json!("5")), "{found}");
+        assert_eq!(events[1]["pair"], "2–right wall", "{found}");
+        // It comes back with half its speed and hands that on.
+        assert_eq!(found["final"][0]["text"], "-1/2", "{found}");
+        assert_eq!((found["count"].clone(), found["drawn"]["centre"].clone()), (json!(3), Value::Null), "{found}");
+        // Between two elastic walls it never ends, and nobody has a last velocity.
+        let endless = ask(json!({"gaps": "0,5", "left": "1", "right": "1"}));
+        assert_eq!((&endless["final"], &endless["walled"]), (&json!([]), &json!(true)), "{endless}");
+        assert!(endless["end"].as_str().expect("words").starts_with("limit reached"), "{endless}");
+        for (more, field) in [
+            (json!({"gaps": "1; 1"}), "gaps"),
+            (json!({"gaps": "-1"}), "gaps"),
+            (json!({"left": "-1/2"}), "left"),
+            (json!({"right": "far"}), "right"),
+            (json!({"left": "1", "wall": "2"}), "wall"),
+        ] {
+            assert_eq!(ask(more.clone())["error"]["field"], field, "{more}: {}", ask(more.clone()));
         }
     }
 

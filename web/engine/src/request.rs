@@ -184,6 +184,21 @@ impl Request {
         found.single().cloned().ok_or_else(|| Fault::at(field, "a single number is needed, such as 1 or 3/4"))
     }
 
+    /// A distance; `None` where the field is empty.
+    pub fn distance(&self, field: &'static str) -> Result<Option<Rational>, Fault> {
+        let text = self.number(field)?;
+        if text.is_empty() { Ok(None) } else { distance(field, &text).map(Some) }
+    }
+
+    /// Several distances; none where the field is empty.
+    pub fn distances(&self, field: &'static str) -> Result<Vec<Rational>, Fault> {
+        if self.text(field)?.is_empty() {
+            return Ok(Vec::new());
+        }
+        let list = self.list(field, |text| distance(field, text).is_ok())?;
+        list.iter().map(|text| distance(field, text)).collect()
+    }
+
     /// The fields of the chain in the engine's own spelling, as the command line takes them.
     pub fn plain(&self) -> Result<Value, Fault> {
         let mut plain = Map::new();
@@ -251,6 +266,11 @@ pub fn numeral(text: &str, error: &NumeralError) -> String {
             format!("limit reached: {}: an exponent of ten is {allowed} at most", shown(text))
         }
     }
+}
+
+fn distance(field: &'static str, text: &str) -> Result<Rational, Fault> {
+    let found = range(field, text)?.single().filter(|x| **x >= 0u32).cloned();
+    found.ok_or_else(|| Fault::at(field, "a distance is a single number, 0 or more"))
 }
 
 fn range(field: &'static str, text: &str) -> Result<Range<Rational>, Fault> {
