@@ -320,16 +320,16 @@ enum PrintFormat {
 /// Flags that raise or lower the limits.
 #[derive(clap::Args)]
 struct LimitFlags {
-    /// Accepted, and without effect: the limits that these flags set no longer exist
-    #[arg(long = "max-degree", value_name = "N", hide = true, alias = "max-terms", aliases = ["max-bits", "max-digits"])]
-    #[arg(action = clap::ArgAction::Append)]
-    _former: Vec<u64>,
     /// Largest number of search steps for each claim
     #[arg(long, value_name = "N", default_value_t = 400_000)]
     max_steps: usize,
     /// Largest number of seconds for each claim, on one core
     #[arg(long, value_name = "SECONDS", default_value_t = 10, value_parser = seconds)]
     time: u64,
+    /// Leave out a method of the search for proofs, to see what it alone decides (repeatable)
+    #[arg(long, value_name = "METHOD", hide_possible_values = true)]
+    #[arg(value_parser = clap::builder::PossibleValuesParser::new(crate::prove::methods()))]
+    without: Vec<String>,
 }
 
 /// Whole seconds, with or without their unit.
@@ -340,7 +340,8 @@ fn seconds(text: &str) -> Result<u64, String> {
 
 impl LimitFlags {
     fn limits(&self) -> crate::refute::catalogue::Limits {
-        crate::refute::catalogue::Limits { steps: self.max_steps, time: std::time::Duration::from_secs(self.time) }
+        let time = std::time::Duration::from_secs(self.time);
+        crate::refute::catalogue::Limits { steps: self.max_steps, time, without: self.without.clone() }
     }
 }
 

@@ -25,7 +25,7 @@ use super::points::Values;
 use carom_checker::claim::diagnostic::Diagnostic;
 use carom_checker::claim::parse::parse;
 use carom_checker::claim::print;
-use carom_checker::claim::syntax::{Claim, Item, Prop, PropKind, Relation};
+use carom_checker::claim::syntax::{Claim, Item, Prop, Relation};
 use carom_exact::algebra::Moment;
 use carom_search::judge::hand::AtHand;
 use carom_search::judge::{self, Entry, contradiction, contradictory, judge, refuted};
@@ -196,11 +196,8 @@ pub fn tried(claim: &Claim, settings: &Settings, hand: &AtHand, now: &mut dyn Fn
 pub fn again(claim: &Claim, saved: &Claim, settings: &Settings) -> Option<Failure> {
     let own: Vec<String> = assumed(claim).map(print::prop).collect();
     let values: Vec<&Prop> = assumed(saved).filter(|prop| !own.contains(&print::prop(prop))).collect();
-    let point = values.iter().filter_map(|prop| match &prop.kind {
-        PropKind::Compare(sides, relations) if relations.as_slice() == [Relation::Equal] => match sides.as_slice() {
-            [place, value] => Some((print::expr(place), print::expr(value))),
-            _ => None,
-        },
+    let point = values.iter().filter_map(|prop| match prop.single()? {
+        (place, Relation::Equal, value) => Some((print::expr(place), print::expr(value))),
         _ => None,
     });
     let point = Point { values: point.collect() };

@@ -239,14 +239,6 @@ fn bad_input_gets_one_clear_error() {
     assert_eq!(std::fs::read_dir(folder.path()).expect("there").count(), 1, "nothing is left behind");
 }
 
-/// Scripts that give the limits of former versions go on.
-#[test]
-fn flags_of_former_limits_are_accepted() {
-    let arguments = ["audit", "--only", "eq01", "--max-terms", "5000", "--max-degree", "100", "--max-bits", "9"];
-    let out = carom(&arguments);
-    assert_eq!(out.status.code(), Some(0), "{}", text(&out.stderr));
-}
-
 #[test]
 fn a_number_means_the_same_in_every_flag_and_file() {
     let chain = |m1: &str, e: &str| good(&["eval", "--m1", m1, "--m2", "1", "-e", e, "-n", "2"]);

@@ -230,6 +230,17 @@ pub struct Prop {
     pub span: Span,
 }
 
+impl Prop {
+    /// The sides and the relation of a single comparison.
+    pub fn single(&self) -> Option<(&Expr, Relation, &Expr)> {
+        let PropKind::Compare(sides, relations) = &self.kind else { return None };
+        match (sides.as_slice(), relations.as_slice()) {
+            ([left, right], [relation]) => Some((left, *relation, right)),
+            _ => None,
+        }
+    }
+}
+
 /// The kinds of propositions.
 #[derive(Clone, Debug)]
 pub enum PropKind {

@@ -69,8 +69,7 @@ impl Checker {
 impl Point<'_> {
     /// An equation `PLACE = NUMBER`, whose right side uses what is known so far.
     fn take(&mut self, fact: &Prop) -> Fallible<()> {
-        let PropKind::Compare(sides, relations) = &fact.kind else { return rejected(Reason::NotAnEquation) };
-        let ([place, value], [Relation::Equal]) = (sides.as_slice(), relations.as_slice()) else {
+        let Some((place, Relation::Equal, value)) = fact.single() else {
             return rejected(Reason::NotAnEquation);
         };
         let value = self.exact(value)?;

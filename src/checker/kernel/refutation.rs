@@ -322,8 +322,7 @@ fn says_how_it_grows(p: &Prop, moving: &BTreeSet<String>) -> Result<bool, Refusa
     let mut names = BTreeSet::new();
     names_in_prop(p, &mut names);
     let Some(variable) = names.intersection(moving).next() else { return Ok(false) };
-    if let PropKind::Compare(sides, relations) = &p.kind
-        && let ([left, right], [Relation::Greater | Relation::GreaterEqual]) = (sides.as_slice(), relations.as_slice())
+    if let Some((left, Relation::Greater | Relation::GreaterEqual, right)) = p.single()
         && left.kind == ExprKind::Name(variable.clone())
         && matches!(right.kind, ExprKind::Number(_))
     {
@@ -439,12 +438,9 @@ fn denied(p: Prop) -> Prop {
 
 /// Whether a comparison of two numbers is true.
 fn is_true(p: &Prop) -> bool {
-    let PropKind::Compare(sides, relations) = &p.kind else { return false };
-    match (sides.as_slice(), relations.as_slice()) {
-        ([a, b], [relation]) => match (rational(a), rational(b)) {
-            (Some(a), Some(b)) => Signs::of_number(&(a - b)).within(Signs::of(*relation)),
-            _ => false,
-        },
+    let Some((a, relation, b)) = p.single() else { return false };
+    match (rational(a), rational(b)) {
+        (Some(a), Some(b)) => Signs::of_number(&(a - b)).within(Signs::of(relation)),
         _ => false,
     }
 }

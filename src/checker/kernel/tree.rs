@@ -32,12 +32,7 @@ pub(super) fn conjuncts(p: &Prop) -> Vec<&Prop> {
 
 /// The sides and the relation of a single comparison.
 pub(super) fn single(prop: &Prop) -> Result<(&Expr, Relation, &Expr), Refusal> {
-    if let PropKind::Compare(sides, relations) = &prop.kind
-        && let ([a, b], [relation]) = (sides.as_slice(), relations.as_slice())
-    {
-        return Ok((a, *relation, b));
-    }
-    rejected(Reason::NotSingle)
+    prop.single().map_or_else(|| rejected(Reason::NotSingle), Ok)
 }
 
 /// An expression with one name in place of another. The new name must not occur yet: it would be taken for the old one.

@@ -3,9 +3,9 @@
 use super::latex::{code, escape};
 use super::{Entry, counted, markdown, proof, statement, visible};
 use crate::claim::print::{self, Style};
-use crate::claim::syntax::{Claim, Expr, ExprKind, Item, PropKind, Relation};
+use crate::claim::syntax::{Claim, Expr, ExprKind, Item, Relation};
 use crate::explain;
-use crate::refute::outcome::{Broken, Point, Verdict};
+use crate::refute::outcome::{Broken, Point, Remaining, Verdict};
 
 /// As text, with Unicode signs, wrapped to so many columns.
 pub fn text(entry: &Entry, width: usize) -> String {
@@ -58,6 +58,7 @@ pub fn remarks(entry: &Entry) -> Vec<(&'static str, Vec<String>)> {
     }
     if outcome.verdict == Verdict::Undecided {
         out.push(("Why it is undecided", outcome.reason.iter().cloned().collect()));
+        out.push(("What remained", outcome.remaining.iter().map(remained).collect()));
         out.push(("What was tried", tried(entry)));
         out.push(("What would help", help(entry)));
     }
@@ -83,21 +84,34 @@ fn fails(broken: &Broken) -> String {
     }
 }
 
+/// A goal that remained, with what is not known of it.
+fn remained(goal: &Remaining) -> String {
+    match goal.open.as_slice() {
+        [] => goal.goal.clone(),
+        [one] => format!("{}: the sign of {one} is not known.", goal.goal),
+        several => format!("{}: the signs of these are not known: {}.", goal.goal, several.join("; ")),
+    }
+}
+
 /// What was tried for an undecided claim.
 fn tried(entry: &Entry) -> Vec<String> {
-    if entry.outcome.limit.is_some() {
-        return Vec::new();
-    }
-    let guided = !entry.claim.proof.is_empty();
     let mut out = Vec::new();
-    if guided {
+    if !entry.claim.proof.is_empty() {
         out.push("The claim's own argument was tried, and the automatic methods without it.".to_string());
     }
-    out.push(
-        "The difference of the sides was factored, and the hypotheses were searched for the sign of each factor. Sums of \
-         squares and of products of the hypotheses were tried."
-            .to_string(),
-    );
+    let mut methods: Vec<&str> = Vec::new();
+    for name in entry.outcome.remaining.iter().flat_map(|r| &r.tried) {
+        if !methods.contains(name) {
+            methods.push(name);
+        }
+    }
+    match (methods.first(), entry.outcome.limit) {
+        (Some(_), Some("time")) => {
+            out.push(format!("These methods, until the time ended at the last: {}.", methods.join(", ")));
+        }
+        (Some(_), _) => out.push(format!("These methods: {}.", methods.join(", "))),
+        (None, _) => {}
+    }
     let (held, open) = (entry.outcome.points, entry.outcome.open);
     let points = counted(held + open, "point");
     out.push(match (held, open) {
@@ -124,8 +138,7 @@ fn help(entry: &Entry) -> Vec<String> {
     if let Some((name, _)) = naturals.into_iter().find(|(_, index)| index.is_none()) {
         out.push(format!("Try an induction: write `by induction on {}` after the goal.", name.text));
     }
-    if let PropKind::Compare(sides, relations) = &claim.written_goal().kind
-        && let ([a, b], [relation]) = (sides.as_slice(), relations.as_slice())
+    if let Some((a, relation, b)) = claim.written_goal().single()
         && !matches!(relation, Relation::NotEqual)
     {
         let minus = |e: &Expr| match &e.kind {

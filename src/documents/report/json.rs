@@ -61,6 +61,10 @@ fn one(entry: &Entry) -> Value {
         "reason": outcome.reason,
         "notes": claim.notes,
         "limit": outcome.limit,
+        "found_by": outcome.found_by,
+        "remaining": outcome.remaining.iter().map(|r| json!({
+            "goal": r.goal, "tried": r.tried, "open": r.open,
+        })).collect::<Vec<_>>(),
         "certificate": entry.proof.as_ref().map(|p| &p.sha256),
         "rests_on": entry.proof.as_ref().map(|p| &p.rests_on),
     })

@@ -63,7 +63,7 @@ pub(super) fn follow(claim: &Claim, certificate: &Certificate, cited: &[&Accepte
                 let used = checker.used(show)?;
                 let (difference, terms) = views(&mut checker, show);
                 let agrees = difference.as_ref().is_some_and(|d| d.factors.is_empty()) && terms.is_empty();
-                let common = sides(&show.prop).filter(|_| agrees);
+                let common = show.prop.single().filter(|_| agrees);
                 let common = common.and_then(|(a, _, _)| checker.view_in_whole_numbers(a, show, true).ok());
                 let known = if terms.is_empty() { known(&mut checker, show, &used, &facts) } else { Vec::new() };
                 let products = products(&mut checker, show, &used, &seen);
@@ -99,7 +99,7 @@ pub(super) fn follow(claim: &Claim, certificate: &Certificate, cited: &[&Accepte
 
 /// The expressions of a combination as the kernel reads them.
 fn views(checker: &mut Checker, show: &Show) -> (Option<View>, Vec<Option<View>>) {
-    let (Rule::Combination { terms, .. }, Some((a, relation, b))) = (&show.rule, sides(&show.prop)) else {
+    let (Rule::Combination { terms, .. }, Some((a, relation, b))) = (&show.rule, show.prop.single()) else {
         return (None, Vec::new());
     };
     let difference = read(checker, &difference(a, b), show, Signs::of(relation));
@@ -136,7 +136,7 @@ fn known(checker: &mut Checker, show: &Show, used: &Used, facts: &BTreeMap<Label
     if !matches!(show.rule, Rule::Combination { .. }) {
         return Vec::new();
     }
-    let compared = used.by.iter().filter_map(|label| Some((label, sides(facts.get(label)?)?)));
+    let compared = used.by.iter().filter_map(|label| Some((label, facts.get(label)?.single()?)));
     compared
         .flat_map(|(label, (a, _, b))| {
             let e = difference(a, b);
@@ -154,17 +154,6 @@ fn read(checker: &mut Checker, e: &Expr, show: &Show, shown: Signs) -> Option<Vi
     }
     let plain = checker.view_in_whole_numbers(e, show, false).ok().filter(|plain| plain.signs().within(shown));
     Some(plain.unwrap_or(with))
-}
-
-/// The sides and the relation of a single comparison.
-pub(super) fn sides(p: &Prop) -> Option<(&Expr, Relation, &Expr)> {
-    match &p.kind {
-        PropKind::Compare(sides, relations) => match (sides.as_slice(), relations.as_slice()) {
-            ([a, b], [relation]) => Some((a, *relation, b)),
-            _ => None,
-        },
-        _ => None,
-    }
 }
 
 /// a − b, or a where b is 0.

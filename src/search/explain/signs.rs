@@ -2,7 +2,7 @@
 //! comes from.
 
 use super::document::{Block, Piece};
-use super::follow::{Seen, difference, sides as sides_of};
+use super::follow::{Seen, difference};
 use super::words::{Words, say};
 use crate::certificate::Label;
 use crate::claim::print::Style;
@@ -22,7 +22,7 @@ impl Words<'_> {
     /// A comparison that the sign of its difference shows.
     pub(super) fn by_signs(&self, seen: &Seen, out: &mut Vec<Block>) {
         let show = &seen.show;
-        let (Some(view), Some((a, relation, b))) = (&seen.difference, sides_of(&show.prop)) else {
+        let (Some(view), Some((a, relation, b))) = (&seen.difference, show.prop.single()) else {
             self.hence("Entry by entry,", &show.prop, Some(&show.label), out);
             return;
         };
@@ -160,12 +160,12 @@ impl Words<'_> {
             let of = |label: &Label| seen.known.iter().filter(|k| k.0 == *label && is_in(&k.1)).collect::<Vec<_>>();
             let known: Vec<_> = from.flat_map(of).collect();
             let strict = |k: &&&(Label, View)| {
-                let relation = self.followed.facts.get(&k.0).and_then(sides_of).map(|s| s.1);
+                let relation = self.followed.facts.get(&k.0).and_then(Prop::single).map(|s| s.1);
                 !matches!(relation, Some(Relation::LessEqual | Relation::GreaterEqual))
             };
             let known = known.iter().find(strict).or(known.first()).copied();
             let sides = known.and_then(|(label, known)| Some((label, known, self.followed.facts.get(label)?)));
-            match sides.and_then(|(label, known, fact)| Some((label, known, sides_of(fact)?))) {
+            match sides.and_then(|(label, known, fact)| Some((label, known, fact.single()?))) {
                 Some((label, known, (a, relation, b))) if Style::Text.expr(&part.of).len() > LONG => {
                     // P = (a − b)/(the rest of a − b).
                     let rest = known.clone().times(&alone(1), -1);
@@ -246,7 +246,7 @@ fn squared(part: &Part) -> Expr {
 
 /// The relation that a step shows.
 fn relation_shown(seen: &Seen) -> Option<Relation> {
-    sides_of(&seen.show.prop).map(|s| s.1)
+    seen.show.prop.single().map(|s| s.1)
 }
 
 /// `r₁, r₂ > 0`, with their common relation to 0.

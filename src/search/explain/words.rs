@@ -5,7 +5,7 @@ mod citation;
 mod combination;
 
 use super::document::{Block, Piece};
-use super::follow::{Followed, Node, Seen, sides};
+use super::follow::{Followed, Node, Seen};
 use super::shorthand::Shorthand;
 use super::signs;
 use crate::certificate::{Label, Rule};
@@ -114,7 +114,7 @@ impl<'a> Words<'a> {
         for node in nodes {
             let Node::Step(place) = node else { break };
             let show = &self.followed.seen[*place].show;
-            let Some((a, relation, b)) = sides(&show.prop) else { break };
+            let Some((a, relation, b)) = show.prop.single() else { break };
             match (&show.rule, &a.kind, &b.kind) {
                 (Rule::Name, _, ExprKind::Name(new)) => {
                     given.push(compare(b.clone(), Relation::Equal, self.short.expr(a)));
@@ -379,8 +379,8 @@ impl<'a> Words<'a> {
     }
 
     fn raised(&self, prop: &Prop, from: &Label) -> Vec<Piece> {
-        let before = self.followed.facts.get(from).and_then(sides);
-        let exponent = match (sides(prop), before) {
+        let before = self.followed.facts.get(from).and_then(Prop::single);
+        let exponent = match (prop.single(), before) {
             (Some((Expr { kind: ExprKind::Power(base, exponent), .. }, _, _)), Some((a, _, _))) if **base == *a => {
                 Some(exponent)
             }
@@ -439,7 +439,7 @@ impl<'a> Words<'a> {
 
 /// Whether two propositions are an equation and its negation.
 fn contradict(p: &Prop, q: &Prop) -> bool {
-    let (Some((a, r, b)), Some((c, s, d))) = (sides(p), sides(q)) else { return false };
+    let (Some((a, r, b)), Some((c, s, d))) = (p.single(), q.single()) else { return false };
     a == c && b == d && matches!((r, s), (Relation::Equal, Relation::NotEqual) | (Relation::NotEqual, Relation::Equal))
 }
 

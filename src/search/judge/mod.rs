@@ -339,9 +339,12 @@ fn searched(
         return Ok(Decided::refuted(claim, case, &certificate));
     }
     let time = case.time_left().saturating_sub(limits.time / LEFT);
-    let fail = match prove::by_search(claim, accepted, &Limits { time, ..limits.clone() }) {
-        Ok(held) => return Ok(Decided { outcome: case.proved(), held: Some(held) }),
-        Err(fail) => fail,
+    let missed = match prove::by_search(claim, accepted, &Limits { time, ..limits.clone() }) {
+        Ok(found) => {
+            let outcome = Outcome { found_by: found.by, ..case.proved() };
+            return Ok(Decided { outcome, held: Some((found.certificate, found.accepted)) });
+        }
+        Err(missed) => missed,
     };
     if let Some(refuted) = case.counterexample(Stage::Last) {
         return Ok(Decided::without_proof(other_limit::without_what_moves(claim, refuted)));
@@ -351,8 +354,9 @@ fn searched(
     {
         return Ok(Decided::refuted(claim, case, &certificate));
     }
-    let reason = rests_on(claim, cited).unwrap_or_else(|| fail.to_string());
-    Ok(Decided::without_proof(case.undecided(reason, fail.limit())))
+    let reason = rests_on(claim, cited).unwrap_or_else(|| missed.fail.to_string());
+    let outcome = case.undecided(reason, missed.fail.limit());
+    Ok(Decided::without_proof(Outcome { remaining: missed.remaining, ..outcome }))
 }
 
 /// A refutation by the search for proofs: at a point with roots as coordinates, or of an existence that fails for all values, where

@@ -188,10 +188,10 @@ impl Refuter<'_> {
     /// Shows a comparison, limit or quantified part that stands in this part of the goal, or that it is false.
     fn atom(&self, attempt: &mut Attempt, atom: &Prop, part: &Prop) -> Option<Label> {
         let denied = match &atom.kind {
-            PropKind::Compare(sides, relations) => match (sides.as_slice(), relations.as_slice()) {
-                ([a, b], [relation]) => compare(a.clone(), relation.negated(), b.clone()),
-                _ => return None,
-            },
+            PropKind::Compare(..) => {
+                let (a, relation, b) = atom.single()?;
+                compare(a.clone(), relation.negated(), b.clone())
+            }
             _ => prop(PropKind::Not(Box::new(atom.clone()))),
         };
         // A search for what the part does not ask for has no end but its limit.
@@ -351,8 +351,7 @@ impl Attempt {
         atoms_of(p, &mut atoms);
         let mut shown = Vec::new();
         for atom in atoms {
-            let PropKind::Compare(sides, relations) = &atom.kind else { continue };
-            let ([a, b], [relation]) = (sides.as_slice(), relations.as_slice()) else { continue };
+            let Some((a, relation, b)) = atom.single() else { continue };
             let denied = compare(a.clone(), relation.negated(), b.clone());
             let either = [denied, atom.clone()];
             shown.extend(either.iter().find_map(|p| self.compared(p)));

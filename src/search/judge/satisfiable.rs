@@ -53,8 +53,7 @@ pub(super) fn point(claim: &Claim, limits: &Limits) -> Option<Point> {
 /// the search for proofs tells.
 pub(super) fn counterexample(claim: &Claim, limits: &Limits) -> Option<Point> {
     let Statement { bindings, sequences, assumptions, goal, .. } = Statement::of(claim).ok()?;
-    let PropKind::Compare(sides, relations) = &goal.kind else { return None };
-    let ([a, b], [relation]) = (sides.as_slice(), relations.as_slice()) else { return None };
+    let Some((a, relation, b)) = goal.single() else { return None };
     let plain = bindings.iter().all(|b| !b.natural && b.names.iter().all(|n| n.1.is_none()));
     if bindings.is_empty() || !sequences.is_empty() || !plain {
         return None;
@@ -277,10 +276,9 @@ fn is_member(e: &Expr, family: &str, index: &Expr) -> bool {
 
 /// c, where a proposition says u(0) = c.
 fn value_of(p: &Prop, family: &str) -> Option<Expr> {
-    let PropKind::Compare(sides, relations) = &p.kind else { return None };
-    match (sides.as_slice(), relations.as_slice()) {
-        ([a, b], [Relation::Equal]) if is_member(a, family, &numeral(0)) => Some(b.clone()),
-        ([a, b], [Relation::Equal]) if is_member(b, family, &numeral(0)) => Some(a.clone()),
+    match p.single() {
+        Some((a, Relation::Equal, b)) if is_member(a, family, &numeral(0)) => Some(b.clone()),
+        Some((a, Relation::Equal, b)) if is_member(b, family, &numeral(0)) => Some(a.clone()),
         _ => None,
     }
 }
@@ -296,8 +294,7 @@ fn step_of(p: &Prop, family: &str) -> Option<(String, Expr)> {
     }
     let k = name(&index.text);
     let next = sum(vec![(Sign::Plus, k), (Sign::Plus, numeral(1))]);
-    let PropKind::Compare(sides, relations) = &body.kind else { return None };
-    let ([a, b], [Relation::Equal]) = (sides.as_slice(), relations.as_slice()) else { return None };
+    let Some((a, Relation::Equal, b)) = body.single() else { return None };
     let mentions = |e: &Expr| {
         let mut names = BTreeSet::new();
         names_in(e, &mut names);

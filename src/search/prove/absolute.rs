@@ -3,6 +3,7 @@
 //! Method: sqrt(q^2) is q if q >= 0, and −q otherwise. The search distinguishes cases by the signs of the factors of q until
 //! the sign of q is known. It starts with the innermost absolute value and replaces each by q or −q.
 
+use super::comparison::single;
 use super::facts::{minus, opposite};
 use super::letters::{as_power, natural, product, whole_power};
 use super::values::root_of;
@@ -55,17 +56,12 @@ impl Prover {
 
     /// Proves a comparison in which absolute values are written. Cases cost less here than products of facts. A side that is an
     /// absolute value is squared as well, with the effort of a goal.
-    pub(crate) fn by_written_absolute_values(
-        &mut self,
-        goal: &Prop,
-        a: &Expr,
-        relation: Relation,
-        b: &Expr,
-    ) -> Result<Label, Fail> {
+    pub(crate) fn by_written_absolute_values(&mut self, goal: &Prop) -> Result<Label, Fail> {
+        let (a, _, b) = single(goal)?;
         if self.splits >= 3 || !(has_absolute(a) || has_absolute(b)) {
             return Err(Fail::No("an absolute value"));
         }
-        if let Ok(label) = self.attempt(|c| c.by_two_bounds(goal, a, relation, b)) {
+        if let Ok(label) = self.attempt(|c| c.by_two_bounds(goal)) {
             return Ok(label);
         }
         let mut first = self.by_absolute_values(goal);
@@ -76,11 +72,12 @@ impl Prover {
         if first.is_ok() || self.splits > 0 || !(is_absolute(a) || is_absolute(b)) {
             return first;
         }
-        self.attempt(|c| c.by_squares(goal, a, relation, b)).or(first)
+        self.attempt(|c| c.by_squares(goal)).or(first)
     }
 
     /// |E| <= F by E <= F and -E <= F, where E is no variable: its sign may be unknown, or need cases by itself.
-    fn by_two_bounds(&mut self, goal: &Prop, a: &Expr, relation: Relation, b: &Expr) -> Result<Label, Fail> {
+    fn by_two_bounds(&mut self, goal: &Prop) -> Result<Label, Fail> {
+        let (a, relation, b) = single(goal)?;
         let no = || Fail::No("an absolute value as the smaller side");
         let is_turned = relation.is_greater().ok_or_else(no)?;
         let (small, relation, great) = if is_turned { (b, relation.turned(), a) } else { (a, relation, b) };
@@ -190,8 +187,7 @@ impl Prover {
     fn next_absolute(&mut self, goal: &Prop, known: &[String]) -> Option<Absolute> {
         let facts: Vec<Rc<Prop>> = self.checker.facts().map(|(_, p)| p.clone()).collect();
         for p in std::iter::once(goal).chain(facts.iter().map(|p| &**p)) {
-            let PropKind::Compare(sides, relations) = &p.kind else { continue };
-            let ([a, b], [_]) = (sides.as_slice(), relations.as_slice()) else { continue };
+            let Some((a, _, b)) = p.single() else { continue };
             let Some(reading) = self.read(&minus(a, b), false) else { continue };
             for f in &reading.factors {
                 if let Some(found) = self.absolute_in(&f.poly, known) {

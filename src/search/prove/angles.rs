@@ -8,6 +8,7 @@
 //! Certificate: rule `arc` says that P − m·π/2 is the arcsin of its sine, and that arcsines are ordered as their arguments.
 
 use super::arcs::quarter_turn;
+use super::comparison::single;
 use super::facts::{minus, negated};
 use super::letters::{product, total};
 use super::limits::over;
@@ -79,7 +80,8 @@ impl Injection {
 
 impl Prover {
     /// Shows a comparison of angles by that of their sines or tangents.
-    pub(super) fn by_angles(&mut self, goal: &Prop, a: &Expr, relation: Relation, b: &Expr) -> Result<Label, Fail> {
+    pub(super) fn by_angles(&mut self, goal: &Prop) -> Result<Label, Fail> {
+        let (a, relation, b) = single(goal)?;
         let no = || Fail::No("a comparison of angles");
         if self.within_arcs || relation == Relation::NotEqual {
             return Err(no());
@@ -257,8 +259,7 @@ impl Prover {
             }
         }
         if let [(part, _)] = found.as_slice() {
-            let (a, b) = as_equation(part).ok_or_else(no)?;
-            let label = self.by_angles(part, a, Relation::Equal, b)?;
+            let label = self.by_angles(part)?;
             return self.logic(&[&label], goal);
         }
         let mut ways: Vec<Way> = Vec::new();
@@ -328,11 +329,5 @@ fn less_turns(e: &Expr, times: i64) -> Expr {
 
 /// The sides of an equation.
 fn as_equation(p: &Prop) -> Option<(&Expr, &Expr)> {
-    match &p.kind {
-        PropKind::Compare(sides, relations) => match (sides.as_slice(), relations.as_slice()) {
-            ([a, b], [Relation::Equal]) => Some((a, b)),
-            _ => None,
-        },
-        _ => None,
-    }
+    p.single().filter(|(_, relation, _)| *relation == Relation::Equal).map(|(a, _, b)| (a, b))
 }

@@ -6,6 +6,7 @@
 //!
 //! Certificate: rule `arc`, with what it needs shown before.
 
+use super::comparison::single;
 use super::facts::{minus, negated};
 use super::letters::product;
 use super::limits::over;
@@ -64,7 +65,8 @@ impl Prover {
     }
 
     /// Shows a comparison in which an arc stands.
-    pub(super) fn by_arcs(&mut self, goal: &Prop, a: &Expr, relation: Relation, b: &Expr) -> Result<Label, Fail> {
+    pub(super) fn by_arcs(&mut self, goal: &Prop) -> Result<Label, Fail> {
+        let (a, relation, b) = single(goal)?;
         let no = || Fail::No("an arc");
         if self.within_arcs || self.checker.statement().declares(PI) {
             return Err(no());

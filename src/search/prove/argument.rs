@@ -236,16 +236,14 @@ impl Prover {
     /// A fact with both sides to a power, and its label. That they and the exponent are positive is shown first.
     fn power_of(&mut self, fact: &str, exponent: &Expr, named: &Named) -> Result<Label, Fail> {
         let label = named.fact(fact).ok_or_else(|| Fail::NoFact(fact.to_string()))?;
-        let Some(Prop { kind: PropKind::Compare(sides, relations), .. }) = self.fact(&label) else {
-            return Err(Fail::No("a comparison is needed"));
-        };
-        let ([a, b], [relation]) = (sides.as_slice(), relations.as_slice()) else {
+        let fact = self.fact(&label);
+        let Some((a, relation, b)) = fact.as_ref().and_then(Prop::single) else {
             return Err(Fail::No("a comparison is needed"));
         };
         for e in [a, b, exponent] {
             self.show(&positive(e))?;
         }
-        let shown = compare(power(a, exponent), *relation, power(b, exponent));
+        let shown = compare(power(a, exponent), relation, power(b, exponent));
         let label = self.emit(Rule::Monotone { from: label }, shown.clone())?;
         self.take_in(&label, &shown).map(|()| label)
     }

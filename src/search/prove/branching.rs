@@ -351,11 +351,10 @@ impl Prover {
         if self.naturals.is_empty() {
             return Err(Fail::No("whole numbers"));
         }
-        let PropKind::Compare(sides, relations) = &goal.kind else { return Err(Fail::No("a comparison is needed")) };
-        let ([a, b], [relation]) = (sides.as_slice(), relations.as_slice()) else {
+        let Some((a, relation, b)) = goal.single() else {
             return Err(Fail::No("a single comparison is needed"));
         };
-        if *relation == Relation::Equal {
+        if relation == Relation::Equal {
             let mut both = Vec::new();
             for relation in [Relation::LessEqual, Relation::GreaterEqual] {
                 both.push(self.by_whole_numbers(&compare(a.clone(), relation, b.clone()))?);

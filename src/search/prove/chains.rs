@@ -1,5 +1,6 @@
 //! Chains of comparisons, each right side the next left side, and comparisons of powers from those of their bases.
 
+use super::comparison::single;
 use super::{Fail, Prover};
 use crate::certificate::{Label, Rule, Term};
 use crate::claim::syntax::*;
@@ -27,20 +28,20 @@ struct Link {
 
 impl Prover {
     /// Shows a comparison as the sum of a chain of facts.
-    pub(super) fn by_chain(&mut self, goal: &Prop, a: &Expr, relation: Relation, b: &Expr) -> Result<Label, Fail> {
+    pub(super) fn by_chain(&mut self, goal: &Prop) -> Result<Label, Fail> {
+        let (a, relation, b) = single(goal)?;
         let up = relation.is_greater().ok_or(Fail::No("an order"))?;
         let (a, b) = (key::expr(a), key::expr(b));
         let (from, to) = if up { (a, b) } else { (b, a) };
         let mut links = Vec::new();
         for (label, fact) in self.checker.facts() {
-            let PropKind::Compare(sides, relations) = &fact.kind else { continue };
-            let ([x, y], [r]) = (sides.as_slice(), relations.as_slice()) else { continue };
+            let Some((x, r, y)) = fact.single() else { continue };
             let (x, y) = (key::expr(x), key::expr(y));
             for (relations, forward) in [
                 ([Relation::Greater, Relation::GreaterEqual, Relation::Equal], true),
                 ([Relation::Less, Relation::LessEqual, Relation::Equal], false),
             ] {
-                if relations.contains(r) {
+                if relations.contains(&r) {
                     let (from, to) = if forward { (x.clone(), y.clone()) } else { (y.clone(), x.clone()) };
                     links.push(Link { from, to, label: label.to_string(), forward });
                 }
@@ -78,8 +79,18 @@ impl Prover {
     }
 
     /// Shows a comparison of what powers with one exponent are in, from a fact about their bases.
-    pub(super) fn by_powers(&mut self, goal: &Prop, relation: Relation) -> Result<Label, Fail> {
-        let wanted: &[Relation] = match relation {
+    pub(super) fn by_powers(&mut self, goal: &Prop) -> Result<Label, Fail> {
+        // Not within one another.
+        if std::mem::replace(&mut self.within_powers, true) {
+            return Err(Fail::No("powers"));
+        }
+        let shown = self.from_bases(goal);
+        self.within_powers = false;
+        shown
+    }
+
+    fn from_bases(&mut self, goal: &Prop) -> Result<Label, Fail> {
+        let wanted: &[Relation] = match single(goal)?.1 {
             Relation::NotEqual => &[Relation::NotEqual],
             Relation::Equal => return Err(Fail::No("an order of powers")),
             _ => &[Relation::Less, Relation::LessEqual, Relation::Greater, Relation::GreaterEqual],
@@ -87,9 +98,8 @@ impl Prover {
         let facts = self.facts();
         let mut left = POWERS;
         for (label, fact) in facts.iter().rev() {
-            let PropKind::Compare(sides, relations) = &fact.kind else { continue };
-            let ([x, y], [relation]) = (sides.as_slice(), relations.as_slice()) else { continue };
-            if !wanted.contains(relation) {
+            let Some((x, relation, y)) = fact.single() else { continue };
+            if !wanted.contains(&relation) {
                 continue;
             }
             for exponent in self.exponents_met(x) {
@@ -97,7 +107,7 @@ impl Prover {
                     continue;
                 }
                 left = left.checked_sub(1).ok_or(Fail::No("few powers"))?;
-                let shown = compare(power(x, &exponent), *relation, power(y, &exponent));
+                let shown = compare(power(x, &exponent), relation, power(y, &exponent));
                 if self.known(&shown).is_some() {
                     continue;
                 }

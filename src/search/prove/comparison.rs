@@ -1,7 +1,6 @@
-//! Comparisons: by signs, by linear programs over products of facts, from powers, by cases.
+//! Comparisons: by signs, by linear programs over products of facts, from other relations.
 
 use super::facts::{is_settled, minus, sign_of};
-use super::ideal;
 use super::letters::{as_power, natural, product, whole_power};
 use super::products::{Kind, Known, combination, contradiction};
 use super::{Fail, Prover};
@@ -27,160 +26,63 @@ pub(super) struct OpenFactors {
     pub(super) flip: bool,
 }
 
+/// The sides of a single comparison and their relation.
+pub(super) fn single(goal: &Prop) -> Result<(&Expr, Relation, &Expr), Fail> {
+    goal.single().ok_or(Fail::No("a single comparison is needed"))
+}
+
 impl Prover {
-    /// Shows a single comparison, by the methods in the order of their cost.
-    pub(crate) fn comparison(&mut self, goal: &Prop) -> Result<Label, Fail> {
-        let PropKind::Compare(sides, relations) = &goal.kind else { return Err(Fail::No("a comparison is needed")) };
-        let ([a, b], [relation]) = (sides.as_slice(), relations.as_slice()) else {
-            return Err(Fail::No("a single comparison is needed"));
-        };
-        let relation = *relation;
-        let first = match self.at_once(goal, a, relation, b) {
-            Ok(label) => return Ok(label),
-            Err(fail) => fail,
-        };
-        if relation == Relation::Equal
-            && let Ok(label) = self.by_recurrence(goal)
-        {
-            return Ok(label);
-        }
-        if let Ok(label) = self.by_arcs(goal, a, relation, b) {
-            return Ok(label);
-        }
-        if let Ok(label) = self.by_angles(goal, a, relation, b) {
-            return Ok(label);
-        }
-        if relation != Relation::NotEqual
-            && let Ok(label) = self.by_quarters(goal)
-        {
-            return Ok(label);
-        }
-        if let Ok(label) = self.by_chain(goal, a, relation, b) {
-            return Ok(label);
-        }
-        if let Ok(label) = self.by_written_absolute_values(goal, a, relation, b) {
-            return Ok(label);
-        }
-        if let Ok(label) = self.by_integrals(goal) {
-            return Ok(label);
-        }
-        if let Ok(label) = self.by_tangent_of_a_step(goal) {
-            return Ok(label);
-        }
-        if let Ok(label) = self.attempt(|c| c.by_sums_of_their_end(goal)) {
-            return Ok(label);
-        }
-        if let Ok(label) = self.by_moving_products(goal) {
-            return Ok(label);
-        }
-        if let Ok(label) = self.attempt(|c| c.by_members_in_closed_form(goal)) {
-            return Ok(label);
-        }
-        if let Ok(label) = self.by_members(goal) {
-            return Ok(label);
-        }
-        if self.splits < 8
-            && let Ok(label) = self.attempt(|c| c.by_weighted_tangents(goal, a, b))
-        {
-            return Ok(label);
-        }
-        // With little effort: no cases, and small programs only.
-        let quiet = self.splits >= 8;
-        if !quiet
-            && self.conclude_at_once()
-            && let Ok(label) = self.quietly(goal)
-        {
-            return Ok(label);
-        }
-        if let Ok(label) = self.by_linear_programs(goal, a, relation, b) {
-            return Ok(label);
-        }
-        if !quiet && let Ok(label) = self.by_linear_unknown(goal) {
-            return Ok(label);
-        }
-        if let Ok(label) = self.by_numbers_and_powers(goal, a, relation, b) {
-            return Ok(label);
-        }
-        if let Ok(label) = self.attempt(|c| c.by_whole_numbers(goal)) {
-            return Ok(label);
-        }
-        if !quiet && let Ok(label) = self.by_boxes(goal) {
-            return Ok(label);
-        }
-        if relation == Relation::Equal
-            && let Ok(label) = self.by_both_orders(goal, a, b)
-        {
-            return Ok(label);
-        }
-        if relation == Relation::Equal
-            && !quiet
-            && let Ok(label) = self.by_signed_cofactor(goal)
-        {
-            return Ok(label);
-        }
-        if relation == Relation::NotEqual {
-            for side in [Relation::Greater, Relation::Less] {
-                let stronger = compare(a.clone(), side, b.clone());
-                if let Ok(label) = self.quietly(&stronger) {
-                    return self.logic(&[&label], goal);
-                }
-            }
-        }
-        // What the kernel is too small for, no other way makes smaller.
-        let not_shown = || match first.limit() {
-            Some(_) => Fail::Goal(crate::claim::print::prop(goal), Box::new(first.clone())),
-            None => Fail::NotShown(crate::claim::print::prop(goal)),
-        };
-        if quiet {
-            return Err(not_shown());
-        }
-        let seen = self.by_denial(goal, |c, equation| {
+    /// a ≠ b from a > b or a < b.
+    pub(super) fn by_strict_order(&mut self, goal: &Prop) -> Result<Label, Fail> {
+        let (a, _, b) = single(goal)?;
+        let stronger = [Relation::Greater, Relation::Less].map(|side| compare(a.clone(), side, b.clone()));
+        let shown = self.quietly(&stronger[0]).or_else(|_| self.quietly(&stronger[1]))?;
+        self.logic(&[&shown], goal)
+    }
+
+    /// Any comparison from an equation that is denied and holds.
+    pub(super) fn by_denied_equation(&mut self, goal: &Prop) -> Result<Label, Fail> {
+        self.by_denial(goal, |c, equation| {
             let shown = c.combination(equation.clone(), Vec::new());
             shown.or_else(|_| c.with_solved_equations(|c| c.combination(equation.clone(), Vec::new())))
+        })
+    }
+
+    /// A comparison from inequalities between weighted means of the powers in it.
+    pub(super) fn by_means(&mut self, goal: &Prop) -> Result<Label, Fail> {
+        let names = self.names.clone();
+        let shown = self.attempt(|c| {
+            c.means(goal)?;
+            c.quietly(goal)
         });
-        if let Ok(label) = seen {
-            return Ok(label);
+        if shown.is_err() {
+            // No step is left that holds one of its names.
+            self.names = names;
         }
-        if let Ok(label) = self.on_its_own(|c| c.by_weak_order(goal, a, relation, b)) {
-            return Ok(label);
-        }
-        if let Ok(label) = self.by_known_inequalities(goal, a, relation, b) {
-            return Ok(label);
-        }
-        if let Ok(label) = self.attempt(|c| c.by_exponents(goal)) {
-            return Ok(label);
-        }
-        if let Ok(label) = self.on_its_own(|c| c.by_roots_of_sides(goal, a, relation, b)) {
-            return Ok(label);
-        }
-        if let Ok(label) = self.attempt(|c| c.by_signs_of_factors(goal)) {
-            return Ok(label);
-        }
-        if self.saturate()
-            && let Ok(label) = self.quietly(goal)
-        {
-            return Ok(label);
-        }
-        if let Ok(label) = self.attempt(|c| c.absurd_by_ideal(goal, &[ideal::FIRST_WORK])) {
-            return Ok(label);
-        }
-        let against_opposite = match relation {
-            Relation::Equal => self.attempt(|c| c.by_radical_ideal(goal)),
-            Relation::NotEqual | Relation::Greater | Relation::Less => self.attempt(|c| c.by_opposite(goal)),
-            _ => Err(Fail::No("a strict comparison")),
-        };
-        if let Ok(label) = against_opposite {
-            return Ok(label);
-        }
-        // Last, for it tries many instances.
-        if let Ok(label) = self.by_universal_facts(goal) {
-            return Ok(label);
-        }
-        Err(not_shown())
+        shown
+    }
+
+    /// Runs a part of the search within inductions only, or outside of them.
+    pub(super) fn within_inductions(
+        &mut self,
+        within: bool,
+        run: impl FnOnce(&mut Self) -> Result<Label, Fail>,
+    ) -> Result<Label, Fail> {
+        if (self.inductions > 0) == within { run(self) } else { Err(Fail::No("an induction")) }
+    }
+
+    /// The parts of a comparison's difference whose signs are open, as text.
+    pub(super) fn open_parts(&mut self, goal: &Prop) -> Vec<String> {
+        let Ok((a, _, b)) = single(goal) else { return Vec::new() };
+        let difference = minus(a, b);
+        let Some(reading) = self.read(&difference, true) else { return Vec::new() };
+        let open = reading.factors.iter().filter(|f| !is_settled(f.signs));
+        open.map(|f| crate::claim::print::expr(&self.letters.written(&f.poly))).collect()
     }
 
     /// a < b from a <= b and a != b: 2*sqrt(x*y) < x + y for x != y, since the square of the difference of the roots is 0 at x = y alone.
-    fn by_weak_order(&mut self, goal: &Prop, a: &Expr, relation: Relation, b: &Expr) -> Result<Label, Fail> {
+    pub(super) fn by_weak_order(&mut self, goal: &Prop) -> Result<Label, Fail> {
+        let (a, relation, b) = single(goal)?;
         let weak = match relation {
             Relation::Less => Relation::LessEqual,
             Relation::Greater => Relation::GreaterEqual,
@@ -197,7 +99,8 @@ impl Prover {
     }
 
     /// A comparison that the kernel sees, once its letters are known.
-    fn at_once(&mut self, goal: &Prop, a: &Expr, relation: Relation, b: &Expr) -> Result<Label, Fail> {
+    pub(super) fn at_once(&mut self, goal: &Prop) -> Result<Label, Fail> {
+        let (a, relation, b) = single(goal)?;
         self.define(a);
         self.define(b);
         if let Ok(label) = self.combination(goal.clone(), Vec::new()) {
@@ -219,94 +122,6 @@ impl Prover {
         self.plainly(Rule::Power, goal).or_else(|_| self.emit(Rule::Power, goal.clone()))
     }
 
-    /// A comparison from linear programs over more and more products, for the goal or against its opposite.
-    fn by_linear_programs(&mut self, goal: &Prop, a: &Expr, relation: Relation, b: &Expr) -> Result<Label, Fail> {
-        let quiet = self.splits >= 8;
-        let top = if self.splits >= 9 { 1 } else { 2 };
-        for level in 0..=top {
-            // Linear programs seldom decide comparisons about roots.
-            if level == 2
-                && !quiet
-                && let Ok(label) = self.by_roots(goal, a, relation, b)
-            {
-                return Ok(label);
-            }
-            if let Ok(label) = self.attempt(|c| c.by_products(goal, level)) {
-                return Ok(label);
-            }
-            if let Ok(label) = self.beside_programs(goal, relation, level) {
-                return Ok(label);
-            }
-            if relation != Relation::Equal
-                && let Ok(label) = self.attempt(|c| c.by_contradiction(goal, level))
-            {
-                return Ok(label);
-            }
-        }
-        Err(Fail::No("a combination"))
-    }
-
-    /// What is tried beside the linear program of a level, each once: differences of variables to a greater depth come later, and
-    /// where little effort is due, not at all.
-    fn beside_programs(&mut self, goal: &Prop, relation: Relation, level: usize) -> Result<Label, Fail> {
-        match (relation, level) {
-            (Relation::Equal, 0) => self.attempt(|c| c.by_ideal(goal)),
-            // An equation in variables that other equations give.
-            (Relation::Equal, 1) => self.with_solved_equations(|c| {
-                c.combination(goal.clone(), Vec::new()).or_else(|_| c.by_products(goal, level))
-            }),
-            (Relation::Equal | Relation::NotEqual, 1..) if self.splits <= 2 => {
-                self.attempt(|c| c.by_positivstellensatz(goal))
-            }
-            (Relation::Equal | Relation::NotEqual, _) => Err(Fail::No("an order")),
-            (_, 0) => {
-                let shown = self
-                    .attempt(|c| c.by_completed_square(goal))
-                    .or_else(|_| self.attempt(|c| c.by_differences(goal, 0..=0)));
-                if shown.is_ok() || self.splits > 2 {
-                    return shown;
-                }
-                self.attempt(|c| c.by_sums_of_squares(goal))
-            }
-            _ if self.splits > 2 => Err(Fail::No("effort left")),
-            (_, 1) => self
-                .attempt(|c| c.by_differences(goal, 1..=1))
-                .or_else(|_| self.attempt(|c| c.by_positivstellensatz(goal))),
-            _ => self.attempt(|c| c.by_differences(goal, 2..=3)),
-        }
-    }
-
-    /// A comparison of numbers by arithmetic, of logarithms by their arguments, of powers by their bases.
-    fn by_numbers_and_powers(&mut self, goal: &Prop, a: &Expr, relation: Relation, b: &Expr) -> Result<Label, Fail> {
-        if self.speaks_of_numbers(goal)
-            && let Ok(label) = self.emit(Rule::Evaluate, goal.clone())
-        {
-            return Ok(label);
-        }
-        if let Ok(label) = self.attempt(|c| c.of_logarithms(goal, a, relation, b)) {
-            return Ok(label);
-        }
-        if !matches!(relation, Relation::Equal | Relation::NotEqual)
-            && let Ok(label) = self.attempt(|c| c.by_order_of_logarithms(goal, a, b))
-        {
-            return Ok(label);
-        }
-        if let Ok(label) = self.attempt(|c| c.by_bases(goal, a, relation, b)) {
-            return Ok(label);
-        }
-        if let Ok(label) = self.attempt(|c| c.by_power_of_exponential(goal, a, relation, b)) {
-            return Ok(label);
-        }
-        // Not within one another.
-        if self.within_powers {
-            return Err(Fail::No("powers"));
-        }
-        self.within_powers = true;
-        let shown = self.by_powers(goal, relation);
-        self.within_powers = false;
-        shown
-    }
-
     /// Runs a part of the search with variables written by others, if there is an equation that was not used so yet.
     pub(super) fn with_solved_equations<T>(
         &mut self,
@@ -320,11 +135,9 @@ impl Prover {
     }
 
     /// An equation from its two inequalities.
-    fn by_both_orders(&mut self, goal: &Prop, a: &Expr, b: &Expr) -> Result<Label, Fail> {
+    pub(super) fn by_both_orders(&mut self, goal: &Prop) -> Result<Label, Fail> {
+        let (a, _, b) = single(goal)?;
         let splits = self.splits;
-        if splits >= 8 {
-            return Err(Fail::No("effort left"));
-        }
         let halves = [Relation::LessEqual, Relation::GreaterEqual].map(|r| compare(a.clone(), r, b.clone()));
         let both = self.attempt(|c| {
             c.splits = 8;
@@ -338,56 +151,9 @@ impl Prover {
         both
     }
 
-    /// A comparison from inequalities between means, tangents, sums or slopes.
-    fn by_known_inequalities(&mut self, goal: &Prop, a: &Expr, relation: Relation, b: &Expr) -> Result<Label, Fail> {
-        let names = self.names.clone();
-        if let Ok(label) = self.attempt(|c| {
-            c.means(goal)?;
-            c.quietly(goal)
-        }) {
-            return Ok(label);
-        }
-        // No step is left that holds one of its names.
-        self.names = names;
-        if let Ok(label) = self.attempt(|c| c.by_means_of_many(goal, a, relation, b)) {
-            return Ok(label);
-        }
-        // The same with variables written by others, as c = 1/(a·b) where a·b·c = 1.
-        if let Ok(label) = self.with_solved_equations(|c| c.by_means_of_many(goal, a, relation, b)) {
-            return Ok(label);
-        }
-        if let Ok(label) = self.attempt(|c| c.by_quadratic(goal, a, relation, b)) {
-            return Ok(label);
-        }
-        if let Ok(label) = self.attempt(|c| c.by_tangents(goal)) {
-            return Ok(label);
-        }
-        if let Ok(label) = self.with_half(|c| c.by_sign_chart(goal, a, b)) {
-            return Ok(label);
-        }
-        if let Ok(label) = self.by_common_function(goal, a, relation, b) {
-            return Ok(label);
-        }
-        if let Ok(label) = self.attempt(|c| c.by_failing_equation(goal, a, relation, b)) {
-            return Ok(label);
-        }
-        if let Ok(label) = self.attempt(|c| c.by_logarithms(goal, a, relation, b)) {
-            return Ok(label);
-        }
-        if let Ok(label) = self.attempt(|c| c.by_sums(goal)) {
-            return Ok(label);
-        }
-        if let Ok(label) = self.attempt(|c| c.by_what_is_left(goal, a, relation, b)) {
-            return Ok(label);
-        }
-        if let Ok(label) = self.attempt(|c| c.without_divisors(goal, a, relation, b)) {
-            return Ok(label);
-        }
-        self.attempt(|c| c.by_slope(goal, a, relation, b))
-    }
-
     /// Proves a comparison of quotients with exponentials, logarithms or roots, multiplied by its divisors.
-    fn without_divisors(&mut self, goal: &Prop, a: &Expr, relation: Relation, b: &Expr) -> Result<Label, Fail> {
+    pub(super) fn without_divisors(&mut self, goal: &Prop) -> Result<Label, Fail> {
+        let (a, relation, b) = single(goal)?;
         let no = || Fail::No("a divisor of known sign");
         if self.splits > 0 || self.inductions > 0 || self.slopes_open > 0 {
             return Err(no());
@@ -405,23 +171,22 @@ impl Prover {
     }
 
     /// Proves a comparison that contains roots.
-    fn by_roots(&mut self, goal: &Prop, a: &Expr, relation: Relation, b: &Expr) -> Result<Label, Fail> {
+    pub(super) fn by_roots(&mut self, goal: &Prop) -> Result<Label, Fail> {
+        let (a, relation, b) = single(goal)?;
         if relation == Relation::NotEqual || self.roots_in(&minus(a, b)).is_empty() {
             return Err(Fail::No("a root"));
         }
         let splits = std::mem::replace(&mut self.splits, 8);
-        let shown = self
-            .attempt(|c| c.by_squares(goal, a, relation, b))
-            .or_else(|_| self.attempt(|c| c.by_radicals(goal, a, relation, b)));
+        let shown = self.attempt(|c| c.by_squares(goal)).or_else(|_| self.attempt(|c| c.by_radicals(goal)));
         self.splits = splits;
         shown
-            .or_else(|_| self.attempt(|c| c.by_root_bounds(goal, a, relation, b)))
-            .or_else(|_| self.attempt(|c| c.by_powers_of_sides(goal, a, relation, b)))
-            .or_else(|_| self.by_roots_in_full(goal, a, relation, b))
+            .or_else(|_| self.attempt(|c| c.by_root_bounds(goal)))
+            .or_else(|_| self.attempt(|c| c.by_powers_of_sides(goal)))
+            .or_else(|_| self.by_roots_in_full(goal))
     }
 
     /// Whether nothing in a proposition depends on a variable: arithmetic decides it.
-    fn speaks_of_numbers(&self, p: &Prop) -> bool {
+    pub(super) fn speaks_of_numbers(&self, p: &Prop) -> bool {
         let mut names = BTreeSet::new();
         crate::kernel::names::names_in_prop(p, &mut names);
         self.name_no_variable(&names)
@@ -585,7 +350,8 @@ impl Prover {
     }
 
     /// Proves a comparison of two powers with the same exponent from the comparison of their bases.
-    fn by_bases(&mut self, goal: &Prop, a: &Expr, relation: Relation, b: &Expr) -> Result<Label, Fail> {
+    pub(super) fn by_bases(&mut self, goal: &Prop) -> Result<Label, Fail> {
+        let (a, relation, b) = single(goal)?;
         match (as_power(a), as_power(b)) {
             (Some((x, p)), Some((y, q))) if p == q => {
                 let from = self.quietly(&compare(x, relation, y))?;

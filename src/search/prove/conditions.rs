@@ -53,7 +53,7 @@ impl Prover {
         if !seen {
             let sign = compare(e.clone(), relation, bound.clone());
             if self.quietly(&sign).is_err() && self.roots_in_full.is_some() {
-                let _ = self.compared_in_full(&sign, e, relation, bound);
+                let _ = self.compared_in_full(&sign);
             }
         }
     }

@@ -80,6 +80,7 @@ impl Prover {
             let mut all = parts.ordered;
             all.extend(parts.bounded);
             let mut leaves = LEAVES;
+            self.ticks += 1;
             for depth in depths.clone() {
                 if depth > 0 && (ordered.len() > VARIABLES || is_negative_somewhere(&poly)) {
                     break;

@@ -144,17 +144,12 @@ impl Prover {
     pub(super) fn not_from_some_number_on(&mut self, goal: &Prop, every: &Prop) -> Result<Label, Fail> {
         let no = || Fail::No("the opposite from some number on");
         let PropKind::ForAll(over, body) = &every.kind else { return Err(no()) };
-        let ([Binding { names, constraints, natural, .. }], PropKind::Compare(sides, relations)) =
-            (over.as_slice(), &body.kind)
+        let ([Binding { names, constraints, natural, .. }], Some((a, relation, b))) = (over.as_slice(), body.single())
         else {
             return Err(no());
         };
-        let (
-            [(index, None)],
-            [Constraint::Relation(Relation::Greater | Relation::GreaterEqual, least)],
-            [a, b],
-            [relation],
-        ) = (names.as_slice(), constraints.as_slice(), sides.as_slice(), relations.as_slice())
+        let ([(index, None)], [Constraint::Relation(Relation::Greater | Relation::GreaterEqual, least)]) =
+            (names.as_slice(), constraints.as_slice())
         else {
             return Err(no());
         };
@@ -352,8 +347,7 @@ impl Prover {
 
     /// A comparison from what a stage says at a number.
     fn follows(&mut self, goal: &Prop, how: &How, fact: &Label) -> Result<Label, Fail> {
-        let PropKind::Compare(sides, relations) = &goal.kind else { return Err(Fail::No("a comparison")) };
-        let ([l, r], [_]) = (sides.as_slice(), relations.as_slice()) else { return Err(Fail::No("a comparison")) };
+        let Some((l, _, r)) = goal.single() else { return Err(Fail::No("a comparison")) };
         match how {
             How::AtOnce => self.logic(&[fact], goal),
             How::Times(factor) => {
@@ -666,12 +660,9 @@ pub(crate) fn eventual(bindings: &[Binding], body: &Prop) -> Option<Eventual> {
     let (start, chain) = match (constraints.as_slice(), &inner.kind) {
         ([only], _) => (lower(only)?, inner),
         ([], PropKind::Implies(from, then)) => {
-            let PropKind::Compare(sides, relations) = &from.kind else { return None };
-            match (sides.as_slice(), relations.as_slice()) {
-                (
-                    [Expr { kind: ExprKind::Name(k), .. }, Expr { kind: ExprKind::Name(n), .. }],
-                    [Relation::Greater | Relation::GreaterEqual],
-                ) if *k == index.text => (n.clone(), then),
+            let (k, Relation::Greater | Relation::GreaterEqual, n) = from.single()? else { return None };
+            match (&k.kind, &n.kind) {
+                (ExprKind::Name(k), ExprKind::Name(n)) if *k == index.text => (n.clone(), then),
                 _ => return None,
             }
         }

@@ -6,6 +6,7 @@
 //!
 //! Certificate: two steps `tangent`, two combinations. Cost: of four steps for each fact. Limits: [`ROUNDS`], [`PRIME`].
 
+use super::comparison::single;
 use super::letters::{as_power, natural, product, total};
 use super::limits::over;
 use super::products::{Kind, Known};
@@ -82,7 +83,8 @@ impl Prover {
 
     /// Proves A < B for two products with exponents from ln A < ln B: B − A = A·(exp(t) − 1) for t = ln B − ln A, and exp(t) lies
     /// above 1 + t.
-    pub(super) fn by_logarithms(&mut self, goal: &Prop, a: &Expr, relation: Relation, b: &Expr) -> Result<Label, Fail> {
+    pub(super) fn by_logarithms(&mut self, goal: &Prop) -> Result<Label, Fail> {
+        let (a, relation, b) = single(goal)?;
         let no = || Fail::No("two products with exponents");
         let is_greater = relation.is_greater().ok_or_else(no)?;
         let (less, greater, sign, order) = if is_greater { (b, a, 1, relation) } else { (a, b, -1, relation.turned()) };
@@ -110,13 +112,8 @@ impl Prover {
     }
 
     /// Proves a comparison of x^n with exp(n·y) from that with exp(y)^n.
-    pub(super) fn by_power_of_exponential(
-        &mut self,
-        goal: &Prop,
-        a: &Expr,
-        relation: Relation,
-        b: &Expr,
-    ) -> Result<Label, Fail> {
+    pub(super) fn by_power_of_exponential(&mut self, goal: &Prop) -> Result<Label, Fail> {
+        let (a, relation, b) = single(goal)?;
         let no = || Fail::No("a power and an exponential");
         let exponent_of = |e: &Expr| match &e.kind {
             ExprKind::Apply(f, list) if f.text == "exp" => list.first().cloned(),

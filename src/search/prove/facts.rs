@@ -135,8 +135,7 @@ impl Prover {
 
     /// The same, with the only factor above the line whether its sign is seen or not: it may be seen by this very fact.
     fn known_by(&mut self, label: &str, fact: &Prop, is_said: bool) -> Option<Known> {
-        let PropKind::Compare(sides, relations) = &fact.kind else { return None };
-        let ([a, b], [relation]) = (sides.as_slice(), relations.as_slice()) else { return None };
+        let Some((a, relation, b)) = fact.single() else { return None };
         let (kind, up) = match relation {
             Relation::Equal => (Kind::Zero, true),
             Relation::Greater => (Kind::Strict, true),
@@ -315,13 +314,12 @@ impl Prover {
 
     /// Adds immediate consequences of a comparison of whole numbers or of powers.
     fn consequences(&mut self, label: &str, fact: &Prop) {
-        let PropKind::Compare(sides, relations) = &fact.kind else { return };
-        let ([a, b], [relation]) = (sides.as_slice(), relations.as_slice()) else { return };
+        let Some((a, relation, b)) = fact.single() else { return };
         let plus_one = |e: &Expr| match &e.kind {
             ExprKind::Number(text) if text.len() < 9 => numeral(text.parse::<u32>().unwrap_or(0) + 1),
             _ => expr(ExprKind::Sum(vec![(Sign::Plus, e.clone()), (Sign::Plus, numeral(1))])),
         };
-        if *relation == Relation::Equal {
+        if relation == Relation::Equal {
             self.only_factor_is_zero(label, a, b);
         }
         let whole =
@@ -357,7 +355,7 @@ impl Prover {
         if let (Some((x, p)), Some((y, q))) = (as_power(a), as_power(b))
             && p == q
         {
-            let next = compare(x, *relation, y);
+            let next = compare(x, relation, y);
             if self.known(&next).is_none() {
                 let _ = self.emit(Rule::Monotone { from: label.to_string() }, next);
             }
@@ -397,8 +395,8 @@ pub(super) fn negated(e: Expr) -> Expr {
 pub(crate) fn opposite(p: &Prop) -> Option<Prop> {
     use crate::kernel::statement::prop;
     Some(match &p.kind {
-        PropKind::Compare(sides, relations) => {
-            let ([a, b], [relation]) = (sides.as_slice(), relations.as_slice()) else { return None };
+        PropKind::Compare(..) => {
+            let (a, relation, b) = p.single()?;
             compare(a.clone(), relation.negated(), b.clone())
         }
         PropKind::And(list) => prop(PropKind::Or(list.iter().map(opposite).collect::<Option<_>>()?)),

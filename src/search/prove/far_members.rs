@@ -102,19 +102,12 @@ impl Prover {
 
 /// A comparison of a member, which the one bound natural number is in, with a bound free of it.
 fn members(bindings: &[Binding], body: &Prop) -> Option<Members> {
-    let ([Binding { names, natural: true, constraints, .. }], PropKind::Compare(sides, relations)) =
-        (bindings, &body.kind)
-    else {
-        return None;
-    };
-    let ([(k, None)], [a, b], [relation], true) =
-        (names.as_slice(), sides.as_slice(), relations.as_slice(), constraints.is_empty())
-    else {
-        return None;
-    };
+    let [Binding { names, natural: true, constraints, .. }] = bindings else { return None };
+    let ([(k, None)], true) = (names.as_slice(), constraints.is_empty()) else { return None };
+    let (a, relation, b) = body.single()?;
     let holds = |e: &Expr| super::limits::holds(e, &k.text);
     let (member, bound, relation) = match (holds(a), holds(b)) {
-        (true, false) => (a, b, *relation),
+        (true, false) => (a, b, relation),
         (false, true) => (b, a, relation.turned()),
         _ => return None,
     };

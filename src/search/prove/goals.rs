@@ -32,10 +32,7 @@ impl Prover {
                 if let Some(entries) = entries_of(sides, relations[0]) {
                     return self.attempt(|c| c.by_entries(goal, entries));
                 }
-                match self.attempt(|c| c.comparison(goal)) {
-                    Ok(label) => Ok(label),
-                    Err(first) => self.without_products(goal).map_err(|_| first),
-                }
+                self.comparison_or_parts(goal)
             }
             PropKind::Compare(sides, relations) => {
                 let pairs = sides.windows(2).zip(relations);
@@ -158,9 +155,7 @@ impl Prover {
     pub(super) fn example(&self, bindings: &[Binding], body: &Prop) -> Option<Vec<(String, Expr)>> {
         let mut map = Substitution::default();
         for (_, fact) in self.checker.facts() {
-            if let PropKind::Compare(sides, relations) = &fact.kind
-                && let ([Expr { kind: ExprKind::Name(n), .. }, value], [Relation::Equal]) =
-                    (sides.as_slice(), relations.as_slice())
+            if let Some((Expr { kind: ExprKind::Name(n), .. }, Relation::Equal, value)) = fact.single()
                 && crate::claim::definedness::number(value).is_some()
             {
                 map.replace(n, value);
@@ -233,31 +228,6 @@ impl Prover {
             }
         }
         last
-    }
-
-    /// Proves a goal by cases or by induction. Inside an induction cases come first, since its hypothesis is available.
-    fn without_products(&mut self, goal: &Prop) -> Result<Label, Fail> {
-        if self.splits < 3
-            && let Ok(label) = self.by_absolute_values(goal)
-        {
-            return Ok(label);
-        }
-        if let Ok(label) = self.attempt(|c| c.by_signs_of_divisors(goal)) {
-            return Ok(label);
-        }
-        if self.inductions == 0
-            && let Ok(label) = self.by_induction(goal)
-        {
-            return Ok(label);
-        }
-        if self.splits < 3
-            && let Ok(label) = self.by_cases(goal)
-        {
-            return Ok(label);
-        }
-        let shown = if self.inductions > 0 { self.by_induction(goal) } else { Err(Fail::No("cases")) };
-        let is_order = matches!(&goal.kind, PropKind::Compare(_, r) if !matches!(r.as_slice(), [Relation::Equal | Relation::NotEqual]));
-        if is_order && !Self::has_a_floor(goal) { shown } else { shown.or_else(|_| self.by_residues(goal)) }
     }
 
     /// Proves an equation of matrices by those of its entries.

@@ -197,6 +197,7 @@ impl Prover {
         let mut left = work;
         let found = derivation(goal, &polynomials(&zeros), &mut left);
         self.ideals.left -= work - left;
+        self.ticks += 1;
         let Some(found) = found else {
             // Where work is left, more would not help.
             self.ideals.in_vain.insert(question, if left > work / 100 { usize::MAX } else { work });

@@ -204,14 +204,11 @@ impl Prover {
     /// The largest known numeral that is a lower bound of a natural variable.
     pub(super) fn least(&self, variable: &str) -> Option<u32> {
         let is_variable = |e: &Expr| matches!(&e.kind, ExprKind::Name(n) if n == variable);
-        let bounds = self.checker.facts().filter_map(|(_, p)| {
-            let PropKind::Compare(sides, relations) = &p.kind else { return None };
-            match (sides.as_slice(), relations.as_slice()) {
-                ([a, b], [Relation::GreaterEqual]) if is_variable(a) => super::letters::natural(b),
-                ([a, b], [Relation::LessEqual]) if is_variable(b) => super::letters::natural(a),
-                ([a, b], [Relation::Greater]) if is_variable(a) => super::letters::natural(b).map(|k| k + 1),
-                _ => None,
-            }
+        let bounds = self.checker.facts().filter_map(|(_, p)| match p.single() {
+            Some((a, Relation::GreaterEqual, b)) if is_variable(a) => super::letters::natural(b),
+            Some((a, Relation::LessEqual, b)) if is_variable(b) => super::letters::natural(a),
+            Some((a, Relation::Greater, b)) if is_variable(a) => super::letters::natural(b).map(|k| k + 1),
+            _ => None,
         });
         bounds.max().filter(|k| *k > 0)
     }

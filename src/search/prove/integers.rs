@@ -95,11 +95,10 @@ impl Prover {
     /// From a comparison with a number that is not rational, that with the whole number next to it.
     fn beside_whole_numbers(&mut self, label: &str, fact: &Prop) -> Result<(), Fail> {
         let no = || Fail::No("a number between whole numbers");
-        let PropKind::Compare(sides, relations) = &fact.kind else { return Err(no()) };
-        let ([a, b], [relation]) = (sides.as_slice(), relations.as_slice()) else { return Err(no()) };
+        let Some((a, relation, b)) = fact.single() else { return Err(no()) };
         let (e, other, relation, sign) = match (self.is_of_numbers(a), self.is_of_numbers(b)) {
             (true, false) => (a, b, relation.turned(), -1),
-            (false, true) => (b, a, *relation, 1),
+            (false, true) => (b, a, relation, 1),
             _ => return Err(no()),
         };
         let (low, high) = enclosed(e).ok_or_else(no)?;

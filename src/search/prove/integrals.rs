@@ -193,8 +193,7 @@ impl Prover {
     /// the ends. Where v is another number, a bound of f whose integral is known stands for f.
     pub(super) fn by_integrands(&mut self, goal: &Prop) -> Result<Label, Fail> {
         let no = || Fail::No("integrals over one interval");
-        let PropKind::Compare(sides, relations) = &goal.kind else { return Err(no()) };
-        let ([left, right], [relation]) = (sides.as_slice(), relations.as_slice()) else { return Err(no()) };
+        let Some((left, relation, right)) = goal.single() else { return Err(no()) };
         if matches!(relation, Relation::Equal | Relation::NotEqual) {
             return Err(no());
         }
@@ -210,7 +209,7 @@ impl Prover {
         let signs = self.signs_of(&factor);
         // integral relation (the rest)/c
         let relation = match (signs.within(Signs::POSITIVE), signs.within(Signs::of(Relation::Less))) {
-            (true, _) => *relation,
+            (true, _) => relation,
             (_, true) => relation.turned(),
             _ => return Err(no()),
         };
@@ -248,8 +247,8 @@ impl Prover {
         for bound in bounds {
             let Some(big_f) = antiderivative(&bound, &x) else { continue };
             let gain = minus(&put_in(&big_f, &x, b)?, &put_in(&big_f, &x, a)?);
-            let sides: Vec<Expr> = sides.iter().map(|e| with_for(e, &integral, &gain)).collect();
-            let plain = prop(PropKind::Compare(sides.clone(), relations.iter().map(|r| r.loose()).collect()));
+            let sides: Vec<Expr> = [left, right].map(|e| with_for(e, &integral, &gain)).into();
+            let plain = compare(sides[0].clone(), relation.loose(), sides[1].clone());
             let shown = self.gained(variable, &x, [&big_f, &bound, &f], relation.turned(), |c, label| {
                 c.enrich(&sides.iter().collect::<Vec<_>>());
                 // left - right = -c·(F(b) - F(a) - integral) + what is left with F(b) - F(a) for the integral.

@@ -35,9 +35,9 @@ impl Prover {
         body: &Prop,
     ) -> Result<Label, Fail> {
         let none = Fail::No("two values between which an equation has a solution");
-        let ([binding], PropKind::Compare(sides, relations)) = (bindings, &body.kind) else { return Err(none) };
+        let [binding] = bindings else { return Err(none) };
         let ([(variable, None)], false) = (binding.names.as_slice(), binding.natural) else { return Err(none) };
-        let ([left, right], [Relation::Equal]) = (sides.as_slice(), relations.as_slice()) else { return Err(none) };
+        let Some((left, Relation::Equal, right)) = body.single() else { return Err(none) };
         for place in self.exact_zeros(&minus(left, right), &variable.text) {
             let point = vec![(variable.text.clone(), place)];
             if let Ok(label) = self.attempt(|c| c.by_values(goal, bindings, body, point)) {

@@ -1,5 +1,6 @@
 //! Signs of exponentials, and of sums of logarithms as the logarithm of a product.
 
+use super::comparison::single;
 use super::exponents::{logarithm_of_number, signed};
 use super::letters::{product, total, whole_power};
 use super::{Fail, Prover};
@@ -93,7 +94,8 @@ impl Prover {
     }
 
     /// Orders two numbers by a fact about their logarithms: the opposite order would contradict that fact.
-    pub(crate) fn by_order_of_logarithms(&mut self, goal: &Prop, a: &Expr, b: &Expr) -> Result<Label, Fail> {
+    pub(crate) fn by_order_of_logarithms(&mut self, goal: &Prop) -> Result<Label, Fail> {
+        let (a, _, b) = single(goal)?;
         let no = || Fail::No("logarithms in order");
         let log = |e: &Expr| apply("ln", e.clone());
         let known: Vec<String> = self.checker.facts().map(|(_, p)| crate::kernel::text::prop(p)).collect();
@@ -105,13 +107,14 @@ impl Prover {
         self.against_opposite(goal, |c, other| {
             let PropKind::Compare(_, relations) = &other.kind else { return Err(no()) };
             let order = compare(x.clone(), relations[0], y.clone());
-            c.of_logarithms(&order, &x, relations[0], &y)?;
+            c.of_logarithms(&order)?;
             c.absurd(0, goal, Some(&order))
         })
     }
 
     /// A comparison of sums of logarithms and a number c: their difference is the logarithm of a product with exp(c).
-    pub(crate) fn of_logarithms(&mut self, goal: &Prop, a: &Expr, relation: Relation, b: &Expr) -> Result<Label, Fail> {
+    pub(crate) fn of_logarithms(&mut self, goal: &Prop) -> Result<Label, Fail> {
+        let (a, relation, b) = single(goal)?;
         let no = || Fail::No("a sum of logarithms");
         let reading = self.read(&super::facts::minus(a, b), true).ok_or_else(no)?;
         let mut rest = vec![literal(&reading.number)];

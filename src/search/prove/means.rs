@@ -1,5 +1,6 @@
 //! The weighted mean inequality, tried for the powers in a goal, and for many values at once.
 
+use super::comparison::single;
 use super::facts::{is_settled, minus, sign_of};
 use super::letters::{product, whole_power};
 use super::{Fail, Prover};
@@ -89,13 +90,8 @@ impl Prover {
 impl Prover {
     /// Shows that a polynomial in positive letters is not negative where each monomial that is subtracted lies below a
     /// mean of monomials that are added: x1^w1*x2^w2*… <= w1*x1 + w2*x2 + … for weights that add up to 1.
-    pub(crate) fn by_means_of_many(
-        &mut self,
-        goal: &Prop,
-        a: &Expr,
-        relation: Relation,
-        b: &Expr,
-    ) -> Result<Label, Fail> {
+    pub(crate) fn by_means_of_many(&mut self, goal: &Prop) -> Result<Label, Fail> {
+        let (a, relation, b) = single(goal)?;
         let no = || Fail::No("a mean of monomials");
         let up = relation.is_greater().ok_or_else(no)?;
         let reading = self.read(&minus(a, b), true).ok_or_else(no)?;

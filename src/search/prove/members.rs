@@ -280,10 +280,9 @@ impl Prover {
     /// A comparison of combinations of sums over one range.
     fn of_one_range(&mut self, goal: &Prop, inverses: &Inverses) -> Result<Label, Fail> {
         let no = || Fail::No("combinations of sums over one range");
-        let PropKind::Compare(sides, relations) = &goal.kind else { return Err(no()) };
-        let ([a, b], [relation]) = (sides.as_slice(), relations.as_slice()) else { return Err(no()) };
+        let Some((a, relation, b)) = goal.single() else { return Err(no()) };
         let (mut left, mut right) = (Linear::default(), Linear::default());
-        if *relation == Relation::NotEqual || !left.add(a, &numeral(1), false) || !right.add(b, &numeral(1), false) {
+        if relation == Relation::NotEqual || !left.add(a, &numeral(1), false) || !right.add(b, &numeral(1), false) {
             return Err(no());
         }
         left.moved_to(&mut right);
@@ -294,7 +293,7 @@ impl Prover {
         }
         let has_rest = !left.rest.is_empty() || !right.rest.is_empty();
         // Members that are all equal to a number are none that hold the index.
-        if has_rest && *relation == Relation::Equal {
+        if has_rest && relation == Relation::Equal {
             return Err(no());
         }
         let members = Members { index: Index { name: Name::new(self.fresh("k")), ..first }, body: numeral(0) };
@@ -304,9 +303,9 @@ impl Prover {
         let weak = match relation {
             Relation::Less => Relation::LessEqual,
             Relation::Greater => Relation::GreaterEqual,
-            other => *other,
+            other => other,
         };
-        let mut ways = vec![*relation, weak];
+        let mut ways = vec![relation, weak];
         ways.dedup();
         for way in ways {
             let shown = self.attempt(|c| {

@@ -64,6 +64,7 @@ mod limits;
 mod logarithms;
 mod means;
 mod members;
+mod methods;
 mod narrowing;
 mod parameters;
 mod partial_fractions;
@@ -107,6 +108,7 @@ use crate::kernel::substitution::Substitution;
 use crate::kernel::{Accepted, Checker, Refusal};
 use crate::refute::catalogue::Limits;
 use crate::refute::expand;
+use crate::refute::outcome::Remaining;
 use argument::Named;
 pub(crate) use at_once::at_once;
 pub(crate) use eventually::{eventual, inside, under_root};
@@ -116,6 +118,7 @@ pub(crate) use goals::together;
 pub(crate) use integrals::with_values_of_integrals;
 use letters::Letters;
 pub(crate) use limits::turns;
+pub use methods::names as methods;
 use std::collections::{BTreeSet, HashMap, HashSet};
 use std::rc::Rc;
 
@@ -134,7 +137,31 @@ const PROGRAMS: usize = 5_000_000;
 /// # Errors
 /// What could not be proved.
 pub fn certificate(claim: &Claim, cited: &[&Accepted], limits: &Limits) -> Result<(Certificate, Accepted), Fail> {
-    at_once(claim, cited, limits).or_else(|_| by_search(claim, cited, limits))
+    at_once(claim, cited, limits).or_else(|_| match by_search(claim, cited, limits) {
+        Ok(found) => Ok((found.certificate, found.accepted)),
+        Err(missed) => Err(missed.fail),
+    })
+}
+
+/// A certificate that the search found.
+pub(crate) struct Found {
+    pub(crate) certificate: Certificate,
+    pub(crate) accepted: Accepted,
+    /// The methods that showed its comparisons, each once.
+    pub(crate) by: Vec<&'static str>,
+}
+
+/// What the search says of a claim that it did not prove.
+pub(crate) struct Missed {
+    pub(crate) fail: Fail,
+    /// The goals that remained.
+    pub(crate) remaining: Vec<Remaining>,
+}
+
+impl From<Fail> for Missed {
+    fn from(fail: Fail) -> Missed {
+        Missed { fail, remaining: Vec::new() }
+    }
 }
 
 /// A certificate of a claim that [`at_once`] cannot prove: by the argument in its file, or else without it in the time that is
@@ -142,7 +169,7 @@ pub fn certificate(claim: &Claim, cited: &[&Accepted], limits: &Limits) -> Resul
 ///
 /// # Errors
 /// What could not be proved.
-pub(crate) fn by_search(claim: &Claim, cited: &[&Accepted], limits: &Limits) -> Result<(Certificate, Accepted), Fail> {
+pub(crate) fn by_search(claim: &Claim, cited: &[&Accepted], limits: &Limits) -> Result<Found, Missed> {
     let argument = expand::Statement::of(claim).map_err(|limit| Fail::Limit(limit.0))?;
     let deadline = Moment::now().checked_add(limits.time);
     let by = |proof: &Proof| {
@@ -170,14 +197,21 @@ pub(crate) fn by_search(claim: &Claim, cited: &[&Accepted], limits: &Limits) -> 
                     Some(limit) => fail.for_want_of(limit),
                     None => fail,
                 };
-                return Err(fail.of_goal(&goal));
+                return Err(Missed { fail: fail.of_goal(&goal), remaining: prover.remaining });
             }
         };
-        prover.concluded(claim, &shown, cited, limits)
+        let mut by: Vec<&'static str> = Vec::new();
+        for name in &prover.found_by {
+            if !by.contains(name) {
+                by.push(name);
+            }
+        }
+        let (certificate, accepted) = prover.concluded(claim, &shown, cited, limits)?;
+        Ok(Found { certificate, accepted, by })
     };
     match by(&argument.proof) {
-        Err(fail) if !argument.proof.is_empty() && fail.limit() != Some("time") => {
-            by(&Proof::default()).map_err(|_| fail)
+        Err(missed) if !argument.proof.is_empty() && missed.fail.limit() != Some("time") => {
+            by(&Proof::default()).map_err(|_| missed)
         }
         other => other,
     }
@@ -215,6 +249,16 @@ pub(crate) struct Prover {
     /// The powers by which others are written.
     powers: Rc<powers::Powers>,
     deadline: Option<Moment>,
+    /// The names of methods that are left out.
+    without: Vec<String>,
+    /// The methods that showed the comparisons so far, each after those of its parts.
+    found_by: Vec<&'static str>,
+    /// The first goals that no method showed.
+    remaining: Vec<Remaining>,
+    /// The number of comparisons within which the search is.
+    within_comparisons: usize,
+    /// Number of steps, linear programs and the like tried, in all.
+    ticks: usize,
     /// An evaluation was not carried out, since the time was not enough.
     is_short: bool,
     tries: usize,
@@ -308,6 +352,11 @@ impl Prover {
             roots: Vec::new(),
             powers: Rc::default(),
             deadline,
+            without: limits.without.clone(),
+            found_by: Vec::new(),
+            remaining: Vec::new(),
+            within_comparisons: 0,
+            ticks: 0,
             is_short: false,
             tries: 0,
             most_tries: limits.steps.div_ceil(STEPS_OF_A_TRY).min(TRIES),
@@ -378,6 +427,7 @@ impl Prover {
 
     fn tick(&mut self) -> Result<(), Fail> {
         self.tries += 1;
+        self.ticks += 1;
         if self.deadline.is_some_and(|deadline| Moment::now() > deadline) {
             return Err(Fail::Limit("time"));
         }
@@ -439,6 +489,7 @@ impl Prover {
 
     /// Adds the size of a linear program with these columns to the total.
     fn spend(&mut self, columns: &[products::Known]) -> Result<(), Fail> {
+        self.ticks += 1;
         self.spent += columns.len() * columns.iter().map(|c| c.poly.term_count()).sum::<usize>();
         if self.spent > PROGRAMS { Err(Fail::Limit("linear programs")) } else { Ok(()) }
     }
@@ -470,10 +521,7 @@ impl Prover {
 
     /// Whether a comparison says that one side lies strictly above the other, and both are the same with the equations put in.
     fn denies_an_identity(&mut self, p: &Prop) -> bool {
-        let PropKind::Compare(sides, relations) = &p.kind else { return false };
-        let ([a, b], [Relation::Less | Relation::Greater | Relation::NotEqual]) =
-            (sides.as_slice(), relations.as_slice())
-        else {
+        let Some((a, Relation::Less | Relation::Greater | Relation::NotEqual, b)) = p.single() else {
             return false;
         };
         !self.equations.is_empty() && self.is_zero(&facts::minus(a, b))
@@ -484,9 +532,10 @@ impl Prover {
         let mark = self.checker.mark();
         let (steps, equations, naturals) = (self.steps.len(), self.equations.clone(), self.naturals.clone());
         let (splits, inductions, enriched) = (self.splits, self.inductions, self.enriched.clone());
-        let (roots, powers) = (self.roots.len(), self.powers.clone());
+        let (roots, powers, found_by) = (self.roots.len(), self.powers.clone(), self.found_by.len());
         let result = run(self);
         if result.is_err() {
+            self.found_by.truncate(found_by);
             self.checker.back_to(&mark);
             self.steps.truncate(steps);
             self.equations = equations;

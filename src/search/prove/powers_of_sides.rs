@@ -6,6 +6,7 @@
 //!
 //! Certificate: the powers without roots, their comparison, and a combination with that sum as its multiplier.
 
+use super::comparison::single;
 use super::facts::minus;
 use super::letters::{product, total, whole_power};
 use super::squares::{Open, own_relation};
@@ -31,13 +32,8 @@ struct Side {
 
 impl Prover {
     /// Shows a comparison of two products with roots from that of their powers.
-    pub(super) fn by_powers_of_sides(
-        &mut self,
-        goal: &Prop,
-        a: &Expr,
-        relation: Relation,
-        b: &Expr,
-    ) -> Result<Label, Fail> {
+    pub(super) fn by_powers_of_sides(&mut self, goal: &Prop) -> Result<Label, Fail> {
+        let (a, relation, b) = single(goal)?;
         let no = || Fail::No("two products with roots");
         let reading = self.read(&minus(a, b), true).ok_or_else(no)?;
         let open = Open::of(self, &reading).ok_or_else(no)?;

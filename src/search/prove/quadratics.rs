@@ -4,6 +4,7 @@
 //! kernel w is a letter with w² = d, so K = a·(v − r)·(v − s) + a·q²·(w² − d). The sign of K follows from where v lies to r and
 //! to s. Where the sign of K is known, v − s is K over a·(v − r).
 
+use super::comparison::single;
 use super::facts::minus;
 use super::letters::{product, whole_power};
 use super::limits::over;
@@ -38,11 +39,11 @@ struct Quadratic {
 
 impl Prover {
     /// A comparison of a quadratic with 0, or of a letter with a root of a quadratic of which the sign is known.
-    pub(crate) fn by_quadratic(&mut self, goal: &Prop, a: &Expr, relation: Relation, b: &Expr) -> Result<Label, Fail> {
-        if relation == Relation::Equal {
+    pub(crate) fn by_quadratic(&mut self, goal: &Prop) -> Result<Label, Fail> {
+        if single(goal)?.1 == Relation::Equal {
             return self.root_that_is_left(goal);
         }
-        self.attempt(|c| c.sign_of_a_quadratic(goal, a, relation, b)).or_else(|_| self.side_of_a_root(goal))
+        self.attempt(|c| c.sign_of_a_quadratic(goal)).or_else(|_| self.side_of_a_root(goal))
     }
 
     /// The sign of L·v² + M·v + N for a positive polynomial L: it is ((2·L·v + M)² + (4·L·N − M²))/(4·L).
@@ -82,7 +83,8 @@ impl Prover {
         Err(no())
     }
 
-    fn sign_of_a_quadratic(&mut self, goal: &Prop, a: &Expr, relation: Relation, b: &Expr) -> Result<Label, Fail> {
+    fn sign_of_a_quadratic(&mut self, goal: &Prop) -> Result<Label, Fail> {
+        let (a, relation, b) = single(goal)?;
         let no = || Fail::No("a quadratic with irrational roots");
         let reading = self.read(&minus(a, b), true).ok_or_else(no)?;
         let reading = self.split(reading);
@@ -121,8 +123,7 @@ impl Prover {
     fn side_of_a_root(&mut self, goal: &Prop) -> Result<Label, Fail> {
         let facts: Vec<Rc<Prop>> = self.checker.facts().map(|(_, p)| p.clone()).collect();
         for fact in facts {
-            let PropKind::Compare(sides, relations) = &fact.kind else { continue };
-            let ([a, b], [_]) = (sides.as_slice(), relations.as_slice()) else { continue };
+            let Some((a, _, b)) = fact.single() else { continue };
             let Some(reading) = self.read(&minus(a, b), false).map(|r| self.split(r)) else { continue };
             for f in reading.factors.iter().filter(|f| f.power % 2 != 0) {
                 let Some(quadratic) = self.quadratic(&f.poly) else { continue };

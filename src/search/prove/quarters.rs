@@ -114,13 +114,7 @@ impl Prover {
         }
         let shown = match &goal.kind {
             PropKind::Or(parts) => self.attempt(|c| c.one_of_angles(goal, parts)),
-            PropKind::Compare(sides, relations) => match (sides.as_slice(), relations.as_slice()) {
-                ([a, b], [relation]) => {
-                    self.attempt(|c| c.by_linear_facts(goal)).or_else(|_| self.by_angles(goal, a, *relation, b))
-                }
-                _ => Err(Fail::No("a single comparison")),
-            },
-            _ => Err(Fail::No("a comparison or equations")),
+            _ => self.attempt(|c| c.by_linear_facts(goal)).or_else(|_| self.by_angles(goal)),
         };
         shown.or_else(|_| self.refuted(goal))
     }

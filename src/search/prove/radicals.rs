@@ -3,6 +3,7 @@
 //! Method: each root r satisfies r^d = p, so a polynomial in the roots is divided by r^d − p, one root after the other. An
 //! identity leaves the remainder 0; an inequality leaves a simpler one.
 
+use super::comparison::single;
 use super::facts::minus;
 use super::letters::{product, whole_power};
 use super::products::Kind;
@@ -31,7 +32,8 @@ const DIVISIONS: usize = 40;
 
 impl Prover {
     /// Shows a comparison of expressions with roots.
-    pub(crate) fn by_radicals(&mut self, goal: &Prop, a: &Expr, relation: Relation, b: &Expr) -> Result<Label, Fail> {
+    pub(crate) fn by_radicals(&mut self, goal: &Prop) -> Result<Label, Fail> {
+        let (a, relation, b) = single(goal)?;
         let no = || Fail::No("a comparison of radicals");
         let mut split = false;
         let mut named = Vec::new();
@@ -74,10 +76,8 @@ impl Prover {
         let simpler = self.letters.written(&left);
         let shown = compare(simpler.clone(), own, numeral(0));
         let label = match self.roots_in_full {
-            Some(_) => self.compared_in_full(&shown, &simpler, own, &numeral(0)),
-            None => {
-                self.quietly(&shown).or_else(|_| self.attempt(|c| c.by_squares(&shown, &simpler, own, &numeral(0))))
-            }
+            Some(_) => self.compared_in_full(&shown),
+            None => self.quietly(&shown).or_else(|_| self.attempt(|c| c.by_squares(&shown))),
         }?;
         let mut all = times(terms, &open.rest);
         all.push(Term { facts: vec![label], factor: product(open.rest) });

@@ -47,8 +47,7 @@ impl Prover {
         mut show: impl FnMut(&mut Self, &Prop) -> Result<Label, Fail>,
     ) -> Result<Label, Fail> {
         for (denial, fact) in self.facts() {
-            if let PropKind::Compare(sides, relations) = &fact.kind
-                && let ([a, b], [Relation::NotEqual]) = (sides.as_slice(), relations.as_slice())
+            if let Some((a, Relation::NotEqual, b)) = fact.single()
                 && let Ok(shown) = show(self, &compare(a.clone(), Relation::Equal, b.clone()))
             {
                 return self.logic(&[&denial, &shown], goal);

@@ -9,6 +9,7 @@
 //!
 //! Limits: [`VARIABLES`] positive variables, [`TERMS`] terms with a root, [`CHOICES`] choices of Y for each side.
 
+use super::comparison::single;
 use super::letters::{as_power, product, total, whole_power};
 use super::limits::over;
 use super::{Fail, Prover};
@@ -45,13 +46,8 @@ struct Part {
 
 impl Prover {
     /// Shows an inequality with roots of positive variables.
-    pub(super) fn by_root_bounds(
-        &mut self,
-        goal: &Prop,
-        a: &Expr,
-        relation: Relation,
-        b: &Expr,
-    ) -> Result<Label, Fail> {
+    pub(super) fn by_root_bounds(&mut self, goal: &Prop) -> Result<Label, Fail> {
+        let (a, relation, b) = single(goal)?;
         let no = || Fail::No("roots of positive variables");
         let is_greater = relation.is_greater().ok_or_else(no)?;
         // The bounds themselves are shown with less effort.

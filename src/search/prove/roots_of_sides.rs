@@ -5,6 +5,7 @@
 //!
 //! Certificate: the comparison of the roots, raised to E by the rule `monotone`, and (b^(1/E))^E = b by the rule `power`.
 
+use super::comparison::single;
 use super::facts::scaled;
 use super::limits::over;
 use super::{Fail, Prover};
@@ -15,13 +16,8 @@ use crate::kernel::statement::{compare, numeral, power};
 
 impl Prover {
     /// Shows an order between a power to a natural variable and another side. A root has no such exponent, so that this ends.
-    pub(super) fn by_roots_of_sides(
-        &mut self,
-        goal: &Prop,
-        a: &Expr,
-        relation: Relation,
-        b: &Expr,
-    ) -> Result<Label, Fail> {
+    pub(super) fn by_roots_of_sides(&mut self, goal: &Prop) -> Result<Label, Fail> {
+        let (a, relation, b) = single(goal)?;
         let no = || Fail::No("a power to a variable");
         if self.in_bernoulli || matches!(relation, Relation::Equal | Relation::NotEqual) {
             return Err(no());

@@ -7,6 +7,7 @@
 //!
 //! Limits: [`DEPTH`] derivatives, [`RUNS`] intervals of one function, [`CHARTS`] charts of one claim.
 
+use super::comparison::single;
 use super::facts::{is_settled, minus};
 use super::{Fail, Prover, implies};
 use crate::certificate::{Label, Rule, Term};
@@ -73,7 +74,8 @@ struct Function<'a> {
 
 impl Prover {
     /// A comparison of functions of one variable by the signs of the factors of its difference.
-    pub(super) fn by_sign_chart(&mut self, goal: &Prop, a: &Expr, b: &Expr) -> Result<Label, Fail> {
+    pub(super) fn by_sign_chart(&mut self, goal: &Prop) -> Result<Label, Fail> {
+        let (a, _, b) = single(goal)?;
         if !super::slopes::has_function(a) && !super::slopes::has_function(b) {
             return Err(no());
         }
@@ -184,31 +186,24 @@ impl Prover {
     }
 
     /// An order of a variable and a number, or their equality, from an equation in the variable that fails on the other side.
-    pub(super) fn by_failing_equation(
-        &mut self,
-        goal: &Prop,
-        a: &Expr,
-        relation: Relation,
-        b: &Expr,
-    ) -> Result<Label, Fail> {
+    pub(super) fn by_failing_equation(&mut self, goal: &Prop) -> Result<Label, Fail> {
+        let (a, relation, b) = single(goal)?;
         let is_place =
             |x: &Expr, c: &Expr| matches!(x.kind, ExprKind::Name(_)) && enclosed(x).is_none() && enclosed(c).is_some();
         if self.slopes_open > 0 || !(is_place(a, b) || is_place(b, a)) {
             return Err(no());
         }
         if relation == Relation::Equal {
-            let halves =
-                [Relation::LessEqual, Relation::GreaterEqual].map(|half| (half, compare(a.clone(), half, b.clone())));
+            let halves = [Relation::LessEqual, Relation::GreaterEqual].map(|half| compare(a.clone(), half, b.clone()));
             let mut from = Vec::new();
-            for (relation, half) in halves {
-                from.push(self.by_failing_equation(&half, a, relation, b)?);
+            for half in halves {
+                from.push(self.by_failing_equation(&half)?);
             }
             return self.emit(Rule::Logic { from }, goal.clone());
         }
         let x = if enclosed(a).is_none() { a } else { b };
         for (label, fact) in self.facts() {
-            let PropKind::Compare(sides, relations) = &fact.kind else { continue };
-            let ([l, r], [Relation::Equal]) = (sides.as_slice(), relations.as_slice()) else { continue };
+            let Some((l, Relation::Equal, r)) = fact.single() else { continue };
             let difference = minus(l, r);
             let alone = self.reals_in(&difference);
             if !matches!(&x.kind, ExprKind::Name(n) if alone == [n.clone()])
@@ -297,9 +292,8 @@ impl Prover {
     pub(super) fn ends_of(&self, e: &Expr) -> [Option<End>; 2] {
         let mut ends: [Option<End>; 2] = [None, None];
         for (_, fact) in self.checker.facts() {
-            let PropKind::Compare(sides, relations) = &fact.kind else { continue };
-            let ([a, b], [said]) = (sides.as_slice(), relations.as_slice()) else { continue };
-            for (this, other, said) in [(a, b, *said), (b, a, said.turned())] {
+            let Some((a, said, b)) = fact.single() else { continue };
+            for (this, other, said) in [(a, b, said), (b, a, said.turned())] {
                 let is_lower = match said.is_greater() {
                     Some(is_lower) if this == e => is_lower,
                     _ => continue,

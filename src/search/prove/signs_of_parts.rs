@@ -40,8 +40,7 @@ impl Prover {
     /// Shows an order from the signs of the factors of its difference.
     pub(super) fn by_signs_of_factors(&mut self, goal: &Prop) -> Result<Label, Fail> {
         let no = || Fail::No("factors");
-        let PropKind::Compare(sides, relations) = &goal.kind else { return Err(no()) };
-        let ([a, b], [relation]) = (sides.as_slice(), relations.as_slice()) else { return Err(no()) };
+        let Some((a, relation, b)) = goal.single() else { return Err(no()) };
         let strict = match relation {
             Relation::Less | Relation::Greater => true,
             Relation::LessEqual | Relation::GreaterEqual => false,
@@ -91,7 +90,7 @@ impl Prover {
                 let sign = compare(e.clone(), order, zero.clone());
                 let shown = match quick {
                     true => self.quietly(&sign),
-                    false => self.compared_in_full(&sign, e, order, &zero),
+                    false => self.compared_in_full(&sign),
                 };
                 if shown.is_ok() {
                     return self.signs_of(e);
@@ -140,9 +139,7 @@ impl Prover {
 
 /// The two names of an equation x^2 + y^2 = 1.
 fn point_of_circle(p: &Prop) -> Option<(String, String)> {
-    let PropKind::Compare(sides, relations) = &p.kind else { return None };
-    let ([Expr { kind: ExprKind::Sum(list), .. }, one], [Relation::Equal]) = (sides.as_slice(), relations.as_slice())
-    else {
+    let Some((Expr { kind: ExprKind::Sum(list), .. }, Relation::Equal, one)) = p.single() else {
         return None;
     };
     let [(Sign::Plus, x), (Sign::Plus, y)] = list.as_slice() else { return None };

@@ -1,5 +1,6 @@
 //! Comparisons by the sign of a derivative: F(x) and F(y), or a difference that is known at a point.
 
+use super::comparison::single;
 use super::facts::{is_settled, minus};
 use super::letters::whole_power;
 use super::sign_charts::End;
@@ -26,11 +27,12 @@ const SLOPES: usize = 40;
 
 impl Prover {
     /// A comparison a relation b by the mean value theorem.
-    pub(crate) fn by_slope(&mut self, goal: &Prop, a: &Expr, relation: Relation, b: &Expr) -> Result<Label, Fail> {
+    pub(crate) fn by_slope(&mut self, goal: &Prop) -> Result<Label, Fail> {
+        let (a, relation, b) = single(goal)?;
         if self.slopes_open >= DEPTH {
             return Err(Fail::No("a sign"));
         }
-        if let Ok(label) = self.by_equal_values(goal, a, b) {
+        if let Ok(label) = self.by_equal_values(goal) {
             return Ok(label);
         }
         if matches!(relation, Relation::Equal | Relation::NotEqual) {
@@ -61,13 +63,8 @@ impl Prover {
     }
 
     /// A comparison of two values of one function.
-    pub(super) fn by_common_function(
-        &mut self,
-        goal: &Prop,
-        a: &Expr,
-        relation: Relation,
-        b: &Expr,
-    ) -> Result<Label, Fail> {
+    pub(super) fn by_common_function(&mut self, goal: &Prop) -> Result<Label, Fail> {
+        let (a, relation, b) = single(goal)?;
         let no = || Fail::No("two values of one function");
         if relation.is_greater().is_none() || !has_function(a) {
             return Err(no());
@@ -127,8 +124,7 @@ impl Prover {
     pub(super) fn places(&self, x: &str) -> Vec<Expr> {
         let mut out: Vec<Expr> = Vec::new();
         for (_, fact) in self.checker.facts() {
-            let PropKind::Compare(sides, relations) = &fact.kind else { continue };
-            let ([l, r], [relation]) = (sides.as_slice(), relations.as_slice()) else { continue };
+            let Some((l, relation, r)) = fact.single() else { continue };
             if matches!(relation, Relation::Equal) {
                 continue;
             }
@@ -402,14 +398,13 @@ impl Prover {
     }
 
     /// A comparison x relation y from facts about F(x) and F(y), where F rises or falls strictly.
-    pub(crate) fn by_equal_values(&mut self, goal: &Prop, a: &Expr, b: &Expr) -> Result<Label, Fail> {
-        if let PropKind::Compare(_, relations) = &goal.kind
-            && *relations == [Relation::Equal]
-        {
+    pub(crate) fn by_equal_values(&mut self, goal: &Prop) -> Result<Label, Fail> {
+        let (a, relation, b) = single(goal)?;
+        if relation == Relation::Equal {
             return self.attempt(|c| {
                 let mut from = Vec::new();
                 for half in [Relation::LessEqual, Relation::GreaterEqual] {
-                    from.push(c.by_equal_values(&compare(a.clone(), half, b.clone()), a, b)?);
+                    from.push(c.by_equal_values(&compare(a.clone(), half, b.clone()))?);
                 }
                 c.emit(Rule::Logic { from }, goal.clone())
             });
@@ -417,8 +412,7 @@ impl Prover {
         self.values_of_functions(goal, a, b);
         let facts = self.facts();
         for (label, fact) in facts {
-            let PropKind::Compare(sides, relations) = &fact.kind else { continue };
-            let ([l, r], [said]) = (sides.as_slice(), relations.as_slice()) else { continue };
+            let Some((l, said, r)) = fact.single() else { continue };
             // What denies a strict fact need not be strict.
             let is_strict = matches!(said, Relation::Less | Relation::Greater);
             let Some((f, x, y)) = self.common_function(l, r).filter(|_| has_function(l)) else { continue };
@@ -485,11 +479,8 @@ impl Prover {
             }
         }
         for p in &open {
-            let PropKind::Compare(sides, relations) = &p.kind else { continue };
             let splits = std::mem::replace(&mut self.splits, 9);
-            let shown = self
-                .attempt(|c| c.by_tangents(p))
-                .or_else(|_| self.attempt(|c| c.by_slope(p, &sides[0], relations[0], &sides[1])));
+            let shown = self.attempt(|c| c.by_tangents(p)).or_else(|_| self.attempt(|c| c.by_slope(p)));
             self.splits = splits;
             if let Ok(label) = shown {
                 return Ok(label);

@@ -107,9 +107,7 @@ impl Prover {
         super::solutions::conjuncts(body, &mut parts);
         let (mut polys, mut differences) = (Vec::new(), Vec::new());
         for part in &parts {
-            if let PropKind::Compare(sides, relations) = &part.kind
-                && let ([a, b], [Relation::Equal]) = (sides.as_slice(), relations.as_slice())
-            {
+            if let Some((a, Relation::Equal, b)) = part.single() {
                 let difference = minus(a, b);
                 self.define(&difference);
                 let Some(reading) = self.read(&difference, false) else { return Vec::new() };

@@ -4,6 +4,7 @@
 //! Effort: at first little. [`Prover::by_roots_in_full`] repeats the search with the signs of factors, differences and sums of squares
 //! for what is left without roots, and for the conditions under which the roots have values.
 
+use super::comparison::single;
 use super::facts::{Reading, is_settled, minus, opposite, sign_of};
 use super::letters::{product, whole_power};
 use super::{Fail, Prover, implies};
@@ -77,13 +78,8 @@ pub(crate) fn own_relation(rest: Signs, relation: Relation) -> Option<Relation> 
 impl Prover {
     /// Shows a comparison with roots with all effort: for the conditions of its roots, for the signs that are met on the way, and for
     /// what squares leave.
-    pub(super) fn by_roots_in_full(
-        &mut self,
-        goal: &Prop,
-        a: &Expr,
-        relation: Relation,
-        b: &Expr,
-    ) -> Result<Label, Fail> {
+    pub(super) fn by_roots_in_full(&mut self, goal: &Prop) -> Result<Label, Fail> {
+        let (a, _, b) = single(goal)?;
         if ![a, b].into_iter().any(has_a_root) {
             return Err(Fail::No("a root"));
         }
@@ -92,7 +88,7 @@ impl Prover {
             c.define(a);
             c.define(b);
             c.enrich(&[a, b]);
-            c.compared_in_full(goal, a, relation, b)
+            c.compared_in_full(goal)
         })
     }
 
@@ -114,35 +110,29 @@ impl Prover {
     }
 
     /// Shows a comparison: one with roots by squares, another by what decides polynomials.
-    pub(super) fn compared_in_full(
-        &mut self,
-        goal: &Prop,
-        a: &Expr,
-        relation: Relation,
-        b: &Expr,
-    ) -> Result<Label, Fail> {
+    pub(super) fn compared_in_full(&mut self, goal: &Prop) -> Result<Label, Fail> {
+        let (a, _, b) = single(goal)?;
         let depth = self.roots_in_full.filter(|depth| *depth < NESTED).ok_or(Fail::No("effort left"))?;
         if let Ok(label) = self.quietly(goal) {
             return Ok(label);
         }
         self.roots_in_full = Some(depth + 1);
         let shown = if self.roots_in(&minus(a, b)).is_empty() {
-            self.attempt(|c| c.by_signs_of_parts(goal))
-                .or_else(|_| self.attempt(|c| c.by_radicals(goal, a, relation, b)))
+            self.attempt(|c| c.by_signs_of_parts(goal)).or_else(|_| self.attempt(|c| c.by_radicals(goal)))
         } else {
-            self.attempt(|c| c.by_squares(goal, a, relation, b))
-                .or_else(|_| self.attempt(|c| c.by_radicals(goal, a, relation, b)))
+            self.attempt(|c| c.by_squares(goal)).or_else(|_| self.attempt(|c| c.by_radicals(goal)))
         };
         self.roots_in_full = Some(depth);
         shown
     }
 
     /// Shows a comparison that is linear in a root or a product of some, M against e, from that of their powers.
-    pub(crate) fn by_squares(&mut self, goal: &Prop, a: &Expr, relation: Relation, b: &Expr) -> Result<Label, Fail> {
+    pub(crate) fn by_squares(&mut self, goal: &Prop) -> Result<Label, Fail> {
+        let (a, relation, b) = single(goal)?;
         let mut last = Err(Fail::No("a root alone"));
         let (all, slope) = self.isolated(a, relation, b)?;
         if let Some(slope) = slope.filter(|_| all.is_empty()) {
-            return self.by_sign_of_slope(goal, &slope, a, relation, b);
+            return self.by_sign_of_slope(goal, &slope);
         }
         for isolated in all {
             last = self.attempt(|c| {
@@ -157,18 +147,11 @@ impl Prover {
     }
 
     /// Shows a comparison in the cases of the sign of what a root is multiplied by.
-    fn by_sign_of_slope(
-        &mut self,
-        goal: &Prop,
-        slope: &Expr,
-        a: &Expr,
-        relation: Relation,
-        b: &Expr,
-    ) -> Result<Label, Fail> {
+    fn by_sign_of_slope(&mut self, goal: &Prop, slope: &Expr) -> Result<Label, Fail> {
         let mut from = Vec::new();
         for case in [Relation::Greater, Relation::Less, Relation::Equal] {
             let case = compare(slope.clone(), case, numeral(0));
-            from.push(self.block(&implies(&case, goal), |c, _| c.compared_in_full(goal, a, relation, b))?);
+            from.push(self.block(&implies(&case, goal), |c, _| c.compared_in_full(goal))?);
         }
         self.emit(Rule::Logic { from }, goal.clone())
     }
@@ -225,7 +208,7 @@ impl Prover {
         let above = matches!(own, Relation::Greater | Relation::GreaterEqual);
         if !above || self.quietly(&not_negative).is_ok() {
             if self.roots_in_full.is_some() {
-                self.compared_in_full(&not_negative, e, Relation::GreaterEqual, &numeral(0))?;
+                self.compared_in_full(&not_negative)?;
             } else {
                 self.show(&not_negative)?;
             }
@@ -247,12 +230,11 @@ impl Prover {
         let ExprKind::Power(base, exponent) = &radical.root.kind else { return Err(Fail::No("a root")) };
         let power = whole_power(e.clone(), radical.degree);
         let powers = compare((**base).clone(), own, power.clone());
-        let from = self.quietly(&powers).or_else(|first| {
-            let PropKind::Compare(sides, _) = &powers.kind else { return Err(first) };
+        let from = self.quietly(&powers).or_else(|_| {
             if self.roots_in_full.is_some() {
-                return self.compared_in_full(&powers, &sides[0], own, &sides[1]);
+                return self.compared_in_full(&powers);
             }
-            let shown = self.attempt(|c| c.by_radicals(&powers, &sides[0], own, &sides[1]));
+            let shown = self.attempt(|c| c.by_radicals(&powers));
             // Where effort is left: what remains has a root less.
             if shown.is_err() && self.splits < 2 { self.show(&powers) } else { shown }
         })?;

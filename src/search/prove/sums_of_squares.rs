@@ -305,6 +305,7 @@ impl Prover {
         let mut budget = before;
         let found = program.solve(&mut budget);
         self.program_work -= before - budget;
+        self.ticks += 1;
         if found.is_none() {
             self.failed_programs.insert(program);
         }

@@ -5,6 +5,7 @@
 //! on, where S is the sum up to s, for q = p − 1 and less; then with t(n) itself for the power.
 
 use super::coefficients::{polynomial, rational};
+use super::comparison::single;
 use super::facts::minus;
 use super::letters::{natural, product, whole_power};
 use super::limits::{holds, over};
@@ -21,13 +22,8 @@ const POWER: i64 = 4;
 
 impl Prover {
     /// A bound of a sum up to a natural number by a number free of it, from a bound that is reached later.
-    pub(super) fn by_what_is_left(
-        &mut self,
-        goal: &Prop,
-        a: &Expr,
-        relation: Relation,
-        b: &Expr,
-    ) -> Result<Label, Fail> {
+    pub(super) fn by_what_is_left(&mut self, goal: &Prop) -> Result<Label, Fail> {
+        let (a, relation, b) = single(goal)?;
         let no = || Fail::No("a sum below a number");
         if self.inductions > 0 {
             return Err(no());

@@ -1,5 +1,6 @@
 //! The inequality 1 + x <= exp(x), tried for the exponentials and logarithms in a goal.
 
+use super::comparison::single;
 use super::letters::{product, total, whole_power};
 use super::{Fail, Prover};
 use crate::certificate::{Label, Rule, Term};
@@ -79,7 +80,8 @@ impl Prover {
 
     /// Proves a comparison of sums p·ln(u) with positive weights p, by tangents of the logarithms times their weights:
     /// p·(1 − ln(u) − c) <= p/(u·exp(c)), where c is 0 or a logarithm without a weight.
-    pub(super) fn by_weighted_tangents(&mut self, goal: &Prop, a: &Expr, b: &Expr) -> Result<Label, Fail> {
+    pub(super) fn by_weighted_tangents(&mut self, goal: &Prop) -> Result<Label, Fail> {
+        let (a, _, b) = single(goal)?;
         let no = || Fail::No("logarithms with weights");
         let whole = self.letters.polynomial(&super::facts::minus(a, b)).ok_or_else(no)?;
         let (mut weighted, mut beside) = (Vec::new(), vec![None]);
@@ -175,9 +177,9 @@ impl Prover {
     }
 
     /// x != 0 for a sum of logarithms, with little effort.
-    fn differs_by_logarithms(&mut self, other: &Prop, x: &Expr) -> Result<(), Fail> {
+    fn differs_by_logarithms(&mut self, other: &Prop) -> Result<(), Fail> {
         let splits = std::mem::replace(&mut self.splits, 9);
-        let shown = self.of_logarithms(other, x, Relation::NotEqual, &numeral(0));
+        let shown = self.of_logarithms(other);
         self.splits = splits;
         shown.map(|_| ())
     }
@@ -187,7 +189,7 @@ impl Prover {
         self.define(x);
         let other = compare(x.clone(), Relation::NotEqual, numeral(0));
         let strict =
-            self.signs_of(x).within(Signs::NOT_ZERO) || self.attempt(|c| c.differs_by_logarithms(&other, x)).is_ok();
+            self.signs_of(x).within(Signs::NOT_ZERO) || self.attempt(|c| c.differs_by_logarithms(&other)).is_ok();
         let shown = tangent(x, if strict { Relation::Less } else { Relation::LessEqual });
         if self.known(&shown).is_some() {
             return Err(Fail::No("a new tangent"));

@@ -209,6 +209,8 @@ fn undecided(name: &str, reason: Option<String>, limit: Option<&'static str>) ->
         witness: None,
         reason,
         limit,
+        found_by: Vec::new(),
+        remaining: Vec::new(),
         points: 0,
         open: 0,
     }

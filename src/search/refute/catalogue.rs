@@ -12,11 +12,13 @@ pub struct Limits {
     pub steps: usize,
     /// The longest time for one claim (`time`).
     pub time: Duration,
+    /// The methods of the search for proofs that are left out, by name.
+    pub without: Vec<String>,
 }
 
 impl Default for Limits {
     fn default() -> Limits {
-        Limits { steps: 400_000, time: Duration::from_secs(10) }
+        Limits { steps: 400_000, time: Duration::from_secs(10), without: Vec::new() }
     }
 }
 

@@ -93,6 +93,17 @@ pub fn limit_reached(name: &str) -> String {
     format!("limit reached: {name}{flag}")
 }
 
+/// A goal that the search for a proof was left with.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Remaining {
+    /// The goal, as text.
+    pub goal: String,
+    /// The methods that were tried, in their order.
+    pub tried: Vec<&'static str>,
+    /// The factors of the difference of its sides whose signs are open, as text.
+    pub open: Vec<String>,
+}
+
 /// The result of the audit for one claim.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Outcome {
@@ -119,6 +130,10 @@ pub struct Outcome {
     pub reason: Option<String>,
     /// The limit that was reached, if one was.
     pub limit: Option<&'static str>,
+    /// Of a claim that the search proved: the methods that showed its comparisons.
+    pub found_by: Vec<&'static str>,
+    /// Of an undecided claim: the goals that remained.
+    pub remaining: Vec<Remaining>,
     /// For an undecided claim: the number of points, tried for a counterexample, at which the claim was true.
     pub points: usize,
     /// For an undecided claim: the number of those that left it open.

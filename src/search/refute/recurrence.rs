@@ -65,8 +65,7 @@ fn recurrence(h: &Prop) -> Option<(String, Recurrence)> {
     let PropKind::ForAll(bindings, body) = &h.kind else { return None };
     let [Binding { names, natural: true, constraints, indices: None, .. }] = bindings.as_slice() else { return None };
     let ([(index, None)], []) = (names.as_slice(), constraints.as_slice()) else { return None };
-    let PropKind::Compare(sides, relations) = &body.kind else { return None };
-    let ([left, step], [Relation::Equal]) = (sides.as_slice(), relations.as_slice()) else { return None };
+    let Some((left, Relation::Equal, step)) = body.single() else { return None };
     let ExprKind::Apply(family, at) = &left.kind else { return None };
     let order = ahead(at.first()?, &index.text).filter(|d| (1..=ORDER).contains(d))?;
     let recurrence = Recurrence { order, first: BTreeMap::new(), index: index.text.clone(), step: step.clone() };
@@ -75,8 +74,7 @@ fn recurrence(h: &Prop) -> Option<(String, Recurrence)> {
 
 /// `F(k) = value` for a numeral k.
 fn first_member(h: &Prop) -> Option<(String, usize, &Expr)> {
-    let PropKind::Compare(sides, relations) = &h.kind else { return None };
-    let ([left, value], [Relation::Equal]) = (sides.as_slice(), relations.as_slice()) else { return None };
+    let Some((left, Relation::Equal, value)) = h.single() else { return None };
     let ExprKind::Apply(family, at) = &left.kind else { return None };
     let (k, 1) = definedness::number(at.first()?)? else { return None };
     Some((family.text.clone(), usize::try_from(k).ok()?, value))

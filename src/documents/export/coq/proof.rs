@@ -461,12 +461,6 @@ impl Writer<'_> {
     }
 
     fn sides<'p>(&self, p: &'p Prop, rule: &'static str) -> Found<(&'p Expr, Relation, &'p Expr)> {
-        match &p.kind {
-            PropKind::Compare(sides, relations) => match (sides.as_slice(), relations.as_slice()) {
-                ([a, b], [relation]) => Ok((a, *relation, b)),
-                _ => Err(Open::Untranslated(rule.to_string(), "a chain")),
-            },
-            _ => Err(Open::Untranslated(rule.to_string(), "no comparison")),
-        }
+        p.single().ok_or_else(|| Open::Untranslated(rule.to_string(), "no single comparison"))
     }
 }

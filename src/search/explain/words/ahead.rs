@@ -4,7 +4,6 @@ use super::Words;
 use crate::certificate::{Label, Rule};
 use crate::claim::print;
 use crate::claim::syntax::*;
-use crate::explain::follow::sides;
 use crate::kernel::order::Signs;
 use crate::kernel::statement::numeral;
 
@@ -21,7 +20,7 @@ impl Words<'_> {
                     self.naming.insert(show.label.clone());
                 }
                 // An equation that writes a product of powers by a few others needs no words.
-                Rule::Power if sides(&show.prop).is_some() => {
+                Rule::Power if show.prop.single().is_some() => {
                     self.naming.insert(show.label.clone());
                 }
                 Rule::Logic { from } => {
@@ -79,7 +78,7 @@ fn is_false(p: &Prop) -> bool {
         },
         _ => None,
     };
-    match sides(p) {
+    match p.single() {
         Some((a, relation, b)) if *b == numeral(0) => signs(a).is_some_and(|found| !found.within(Signs::of(relation))),
         _ => false,
     }

@@ -5,7 +5,7 @@ use crate::certificate::Label;
 use crate::claim::print::Style;
 use crate::claim::syntax::*;
 use crate::explain::document::Piece;
-use crate::explain::follow::{Seen, sides};
+use crate::explain::follow::Seen;
 use crate::explain::signs;
 
 /// Facts of at most this many characters are cited by their text.
@@ -44,7 +44,7 @@ impl Words<'_> {
 
     /// Whether a fact is short enough to be cited by its text, like `m > 0`.
     pub(in crate::explain) fn is_short(&self, label: &Label) -> bool {
-        let Some((a, relation, b)) = self.followed.facts.get(label).and_then(sides) else { return false };
+        let Some((a, relation, b)) = self.followed.facts.get(label).and_then(Prop::single) else { return false };
         relation != Relation::Equal
             && matches!(b.kind, ExprKind::Number(_) | ExprKind::Name(_))
             && Style::Text.expr(&self.short.expr(a)).len() <= PLAIN
@@ -52,7 +52,7 @@ impl Words<'_> {
 
     /// Whether a fact only says that a name of the proof is positive, which the proof states with the name.
     fn is_of_name(&self, label: &Label) -> bool {
-        let sides = self.followed.facts.get(label).and_then(sides);
+        let sides = self.followed.facts.get(label).and_then(Prop::single);
         matches!(sides, Some((Expr { kind: ExprKind::Name(r), .. }, _, _)) if self.short.is_given(r))
     }
 
@@ -61,7 +61,7 @@ impl Words<'_> {
         let facts: Vec<(Expr, Relation, Expr)> = labels
             .iter()
             .filter(|label| self.is_short(label) && !self.is_of_name(label))
-            .filter_map(|label| self.followed.facts.get(label).and_then(sides))
+            .filter_map(|label| self.followed.facts.get(label).and_then(Prop::single))
             .map(|(a, r, b)| (self.short.expr(a), r, b.clone()))
             .collect();
         let mut out = Vec::new();

@@ -4,7 +4,7 @@ use super::{Words, say};
 use crate::certificate::{Label, Rule, Term};
 use crate::claim::syntax::*;
 use crate::explain::document::{Block, Piece};
-use crate::explain::follow::{Seen, difference, sides};
+use crate::explain::follow::{Seen, difference};
 use crate::kernel::statement::{expr, numeral, product};
 
 /// The end of a sentence that states a contradiction.
@@ -133,7 +133,7 @@ impl Words<'_> {
             lead.extend(self.cited_all(put_in));
             lead.push(say(" substituted"));
         }
-        if !matches!(sides(&seen.show.prop), Some((_, Relation::Equal, _))) {
+        if !matches!(seen.show.prop.single(), Some((_, Relation::Equal, _))) {
             let since = self.since(&seen.used.by);
             if !since.is_empty() {
                 lead.push(say("; the factors have the right signs "));
@@ -147,7 +147,7 @@ impl Words<'_> {
     /// A comparison whose difference is a sum of expressions with plain signs.
     fn by_product(&self, seen: &Seen, out: &mut Vec<Block>) {
         let show = &seen.show;
-        let (Rule::Combination { times, terms }, Some((a, relation, b))) = (&show.rule, sides(&show.prop)) else {
+        let (Rule::Combination { times, terms }, Some((a, relation, b))) = (&show.rule, show.prop.single()) else {
             return;
         };
         let summed: Vec<(Sign, Expr)> = terms.iter().map(|t| (Sign::Plus, self.short.expr(&t.factor))).collect();
@@ -194,5 +194,5 @@ fn is_unit(e: &Expr) -> bool {
 
 /// Whether a comparison is one with 0.
 fn is_zero_goal(p: &Prop) -> bool {
-    sides(p).is_some_and(|(_, _, b)| *b == numeral(0))
+    p.single().is_some_and(|(_, _, b)| *b == numeral(0))
 }

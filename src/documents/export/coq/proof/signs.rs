@@ -331,10 +331,7 @@ impl Writer<'_> {
         let (label, prop, f, factor) =
             (note.fact.clone(), note.prop.clone(), note.difference.clone(), note.factor.clone());
         let h = self.part(&label, &prop)?;
-        let PropKind::Compare(sides, relations) = &prop.kind else {
-            return Err(Open::Untranslated(label, "a note of no comparison"));
-        };
-        let ([a, b], [relation]) = (sides.as_slice(), relations.as_slice()) else {
+        let Some((a, relation, b)) = prop.single() else {
             return Err(Open::Untranslated(label, "a note of no comparison"));
         };
         let mut env =
@@ -348,13 +345,13 @@ impl Writer<'_> {
             let using = if plain { Vec::new() } else { given.using.clone() };
             let left = Side::Expr(a.clone()).minus(Side::Expr(b.clone()));
             let equal = self.identity(&left, &right, &using, given)?;
-            let h = if *relation == Relation::Equal { equation_by(a, &h) } else { h };
+            let h = if relation == Relation::Equal { equation_by(a, &h) } else { h };
             let (a, b) = (self.expr(a)?, self.expr(b)?);
             let tactic = format!(
                 "exact (note_sign _ {numbers} {signs} {tree} ({a} - {b}) {} {} {proof} {equal} (of_{} _ _ {h}) eq_refl)",
-                signs_word(Signs::of(*relation)),
+                signs_word(Signs::of(relation)),
                 signs_word(note.signs),
-                lower(*relation),
+                lower(relation),
             );
             return Ok(self.lemma("K", &statement, &tactic));
         }
