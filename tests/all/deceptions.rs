@@ -61,7 +61,7 @@ fn no_deception_succeeds() {
 
 /// What the procedures decide by themselves is not lost in silence: limits by expansion, sums to n - 1, equations by ideal
 /// membership, nested roots, whole numbers within bounds and by remainders, quantifiers, roots between means, members that are positive, sums in closed form,
-/// logarithms of both sides, squares of absolute values, sin and cos of what is no angle, angles from their sines, extrema with roots.
+/// logarithms of both sides, squares of absolute values, sin and cos of what is no angle, angles from their sines, extrema with roots, powers of sums.
 #[test]
 fn true_statements_of_a_procedures_kind_are_proved() {
     let limits = Limits { time: Duration::from_secs(20), ..Limits::default() };
@@ -88,6 +88,7 @@ fn true_statements_of_a_procedures_kind_are_proved() {
         "orders",
         "extrema-with-roots",
         "members-in-closed-form",
+        "powers-of-sums",
     ];
     for claim in files.iter().flat_map(|f| claims(&fs::read_to_string(folder.join(format!("{f}.claim"))).unwrap())) {
         let name = claim.split_whitespace().nth(1).unwrap().to_owned();

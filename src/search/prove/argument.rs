@@ -2,7 +2,7 @@
 
 use super::facts::negated;
 use super::letters::product;
-use super::limits::{over, plus};
+use super::means::positive;
 use super::{Fail, Prover, implies};
 use crate::certificate::{Label, Rule, Term};
 use crate::claim::syntax::*;
@@ -41,10 +41,6 @@ impl Named {
     fn fact(&self, label: &str) -> Option<Label> {
         self.facts.iter().rev().find(|f| f.0 == label).map(|f| f.1.clone())
     }
-}
-
-fn positive(e: &Expr) -> Prop {
-    compare(e.clone(), Relation::Greater, numeral(0))
 }
 
 impl Prover {
@@ -166,7 +162,7 @@ impl Prover {
             Method::Hoelder { first, second, weight } => {
                 let p = named.expr(weight)?;
                 let [a, b, c, d] = [&first.0, &first.1, &second.0, &second.1].map(|e| named.expr(e));
-                let fact = self.hoelder([a?, b?, c?, d?], &p)?;
+                let fact = self.hoelder(&[a?, b?], &[c?, d?], &p)?;
                 self.show_by(goal, &fact)
             }
             Method::Squeeze { lower, upper } => {
@@ -275,45 +271,6 @@ impl Prover {
         }
         let relation = if strict { Relation::Greater } else { Relation::GreaterEqual };
         let shown = compare(product(highs), relation, product(lows));
-        let label = self.combination(shown.clone(), terms)?;
-        self.take_in(&label, &shown).map(|()| label)
-    }
-
-    /// The weighted mean inequality of a and b, strict where a != b can be shown. Returns its label, and whether it is strict.
-    fn this_mean(&mut self, a: &Expr, b: &Expr, p: &Expr) -> Result<(Label, bool), Fail> {
-        for e in [a, b] {
-            self.show(&positive(e))?;
-        }
-        for e in [p, &one_minus(p)] {
-            if self.quietly(&positive(e)).is_err() {
-                self.show(&compare(e.clone(), Relation::GreaterEqual, numeral(0)))?;
-            }
-        }
-        if self.quietly(&compare(a.clone(), Relation::NotEqual, b.clone())).is_ok()
-            && let Ok(label) = self.noted_mean(a, b, p, Relation::Less)
-        {
-            return Ok((label, true));
-        }
-        self.noted_mean(a, b, p, Relation::LessEqual).map(|label| (label, false))
-    }
-
-    /// (a+b)^(1−p) (c+d)^p ≥ a^(1−p) c^p + b^(1−p) d^p: the mean of a/(a+b) and c/(c+d), that of b/(a+b)
-    /// and d/(c+d), added.
-    fn hoelder(&mut self, [a, b, c, d]: [Expr; 4], p: &Expr) -> Result<Label, Fail> {
-        let times = |x: Expr, y: Expr| product(vec![x, y]);
-        let rest = one_minus(p);
-        let (ab, cd) = (plus(&a, b.clone()), plus(&c, d.clone()));
-        let big = times(power(&ab, &rest), power(&cd, p));
-        let small = plus(&times(power(&a, &rest), power(&c, p)), times(power(&b, &rest), power(&d, p)));
-        let (mut terms, mut strict) = (Vec::new(), false);
-        for (x, y) in [(a, c), (b, d)] {
-            let (label, is_strict) = self.this_mean(&over(x, ab.clone()), &over(y, cd.clone()), p)?;
-            strict |= is_strict;
-            terms.push(Term { facts: vec![label], factor: negated(big.clone()) });
-        }
-        let relation = if strict { Relation::Greater } else { Relation::GreaterEqual };
-        self.write_powers(&[&big, &small]);
-        let shown = compare(big, relation, small);
         let label = self.combination(shown.clone(), terms)?;
         self.take_in(&label, &shown).map(|()| label)
     }

@@ -187,6 +187,42 @@ impl Prover {
         shown
     }
 
+    /// Shows that some number has a property, because all have it from some number on.
+    pub(super) fn by_a_far_number(&mut self, goal: &Prop, bindings: &[Binding], body: &Prop) -> Result<Label, Fail> {
+        let no = || Fail::No("a property of all great numbers");
+        let [Binding { names, constraints, natural, indices: None, .. }] = bindings else { return Err(no()) };
+        let ([(variable, None)], Some(_)) = (names.as_slice(), body.single()) else { return Err(no()) };
+        let is_lower =
+            |c: &Constraint| matches!(c, Constraint::Relation(Relation::Greater | Relation::GreaterEqual, _));
+        if self.splits >= 3 || self.inductions > 0 || !constraints.iter().all(is_lower) {
+            return Err(no());
+        }
+        let (start, own) = (self.fresh("N"), self.fresh("k"));
+        let from_start = Constraint::Relation(Relation::Greater, name(&start));
+        let here = put(body, &variable.text, &name(&own))?;
+        let far =
+            prop(PropKind::ForAll(vec![Binding::of(Name::new(&own), *natural, vec![from_start])], Box::new(here)));
+        let mut beyond = vec![Constraint::Relation(Relation::Greater, numeral(0))];
+        beyond.extend(constraints.iter().cloned());
+        let starts = vec![Binding::of(Name::new(&start), *natural, beyond)];
+        let some = prop(PropKind::Exists(starts.clone(), Box::new(far.clone())));
+        let some = self.by_eventually(&some, &starts, &far)?;
+        self.opened.push(some.clone());
+        let shown = self.attempt(|c| {
+            let then = implies(&far, goal);
+            let all = c.block(&prop(PropKind::ForAll(starts, Box::new(then.clone()))), |c, _| {
+                c.block(&then, |c, block| {
+                    let next = sum(vec![(Sign::Plus, name(&start)), (Sign::Plus, numeral(1))]);
+                    c.instance(&format!("{block}s"), &next)?;
+                    c.by_values(goal, bindings, body, vec![(variable.text.clone(), next)])
+                })
+            })?;
+            c.emit(Rule::Existence { some: some.clone(), all }, goal.clone())
+        });
+        self.opened.pop();
+        shown
+    }
+
     fn beyond_some_number(&mut self, goal: &Prop, eventual: &Eventual, x: &str) -> Result<Label, Fail> {
         let mut stages = Vec::new();
         for (l, relation, r) in &eventual.pairs {

@@ -267,7 +267,7 @@ impl Prover {
 }
 
 /// An expression with another one for an integral.
-fn with_for(e: &Expr, integral: &Expr, value: &Expr) -> Expr {
+pub(super) fn with_for(e: &Expr, integral: &Expr, value: &Expr) -> Expr {
     if e == integral {
         return value.clone();
     }

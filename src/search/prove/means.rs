@@ -73,6 +73,24 @@ impl Prover {
         self.noted_mean(a, b, p, Relation::LessEqual)
     }
 
+    /// The weighted mean inequality of a and b, strict where a != b can be shown. Returns its label, and whether it is strict.
+    pub(super) fn this_mean(&mut self, a: &Expr, b: &Expr, p: &Expr) -> Result<(Label, bool), Fail> {
+        for e in [a, b] {
+            self.show(&positive(e))?;
+        }
+        for e in [p, &one_minus(p)] {
+            if self.quietly(&positive(e)).is_err() {
+                self.show(&compare(e.clone(), Relation::GreaterEqual, numeral(0)))?;
+            }
+        }
+        if self.quietly(&compare(a.clone(), Relation::NotEqual, b.clone())).is_ok()
+            && let Ok(label) = self.noted_mean(a, b, p, Relation::Less)
+        {
+            return Ok((label, true));
+        }
+        self.noted_mean(a, b, p, Relation::LessEqual).map(|label| (label, false))
+    }
+
     /// Notes the weighted mean inequality, whose conditions are known.
     pub(super) fn noted_mean(&mut self, a: &Expr, b: &Expr, p: &Expr, relation: Relation) -> Result<Label, Fail> {
         let shown = weighted_mean(a, b, p, relation);
@@ -254,4 +272,8 @@ fn powers_in(e: &Expr, out: &mut Vec<(Expr, Expr)>) {
         ExprKind::Product(list) => list.iter().for_each(|(_, e)| powers_in(e, out)),
         _ => {}
     }
+}
+
+pub(super) fn positive(e: &Expr) -> Prop {
+    compare(e.clone(), Relation::Greater, numeral(0))
 }

@@ -89,6 +89,7 @@ const DIRECT: &[Method] = &[
     row("members in closed form", ALL, ALWAYS, Undone, |c, goal| c.by_members_in_closed_form(goal)),
     row("members of sums", ALL, ALWAYS, Kept, |c, goal| c.by_members(goal)),
     row("weighted tangents", ALL, LOUD, Undone, |c, goal| c.by_weighted_tangents(goal)),
+    row("Hölder's inequality", ORDERS, ALWAYS, Undone, |c, goal| c.by_hoelder(goal)),
     row("conclusions", ALL, LOUD, Kept, |c, goal| {
         if c.conclude_at_once() { c.quietly(goal) } else { Err(Fail::No("a known premise")) }
     }),

@@ -51,6 +51,7 @@ mod found_limits;
 mod fourier_motzkin;
 mod goals;
 mod growing_sums;
+mod hoelder;
 mod hypergeometric;
 mod ideal;
 mod induction;
