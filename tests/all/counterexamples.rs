@@ -27,7 +27,7 @@ fn deep(run: impl FnOnce() + Send + 'static) {
 }
 
 fn limits() -> Limits {
-    Limits { time: Duration::from_secs(3), steps: 40_000 }
+    Limits { time: Duration::from_secs(3), steps: 40_000, ..Limits::default() }
 }
 
 fn judged(claim: &Claim) -> Entry {

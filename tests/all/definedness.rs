@@ -250,7 +250,7 @@ fn accepted(claim: &Claim) -> bool {
 #[test]
 fn all_readers_agree_where_an_expression_has_a_value() {
     let mut random = Random(7);
-    let limits = Limits { steps: 2_000, time: Duration::from_millis(500) };
+    let limits = Limits { steps: 2_000, time: Duration::from_millis(500), ..Limits::default() };
     let (mut values, mut none, mut proved, mut refuted, mut checked) = (0, 0, 0, 0, 0);
     for round in 0..600 {
         let domain = DOMAINS[round % DOMAINS.len()];

@@ -14,7 +14,7 @@ const EVERY: usize = 5;
 
 /// The verdict, or why there is none.
 fn verdict(claim: &Claim) -> Result<&'static str, String> {
-    let limits = Limits { time: Duration::from_secs(9), steps: 40_000 };
+    let limits = Limits { time: Duration::from_secs(9), steps: 40_000, ..Limits::default() };
     let catalogue = Catalogue::new(vec![claim.clone()]).map_err(|f| f[0].1.message().clone())?;
     outcome_of(&catalogue, &claim.name.text, &limits).map(|o| o.verdict.name()).map_err(|f| format!("{f:?}"))
 }

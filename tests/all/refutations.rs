@@ -37,7 +37,7 @@ fn deep<T: Send + 'static>(run: impl FnOnce() -> T + Send + 'static) -> T {
 }
 
 fn limits() -> Limits {
-    Limits { time: Duration::from_secs(3), steps: 40_000 }
+    Limits { time: Duration::from_secs(3), steps: 40_000, ..Limits::default() }
 }
 
 /// The claim files below a folder, by path.

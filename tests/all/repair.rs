@@ -16,7 +16,7 @@ use std::path::Path;
 use std::time::Duration;
 
 fn limits() -> Limits {
-    Limits { time: Duration::from_secs(6), steps: 40_000 }
+    Limits { time: Duration::from_secs(6), steps: 40_000, ..Limits::default() }
 }
 
 fn claims(folder: &str) -> Vec<Claim> {

@@ -208,7 +208,7 @@ fn judge_mutants(claim: &Claim, all: &[Claim], hand: &AtHand, share: usize, tall
         gone.push(more.name.text.clone());
     }
     let rest: Vec<Claim> = all.iter().filter(|c| !gone.contains(&c.name.text)).cloned().collect();
-    let limits = Limits { steps: 30_000, time: std::time::Duration::from_secs(1) };
+    let limits = Limits { steps: 30_000, time: std::time::Duration::from_secs(1), ..Limits::default() };
     let settings = Settings { limits, ..Settings::default() };
     for (place, mutant) in list.into_iter().enumerate().filter(|(i, _)| i % step == 0) {
         let catalogue = Catalogue::new(rest.iter().cloned().chain([mutant.clone()]).collect());

@@ -53,7 +53,7 @@ pub(super) fn point(claim: &Claim, limits: &Limits) -> Option<Point> {
 /// the search for proofs tells.
 pub(super) fn counterexample(claim: &Claim, limits: &Limits) -> Option<Point> {
     let Statement { bindings, sequences, assumptions, goal, .. } = Statement::of(claim).ok()?;
-    let Some((a, relation, b)) = goal.single() else { return None };
+    let (a, relation, b) = goal.single()?;
     let plain = bindings.iter().all(|b| !b.natural && b.names.iter().all(|n| n.1.is_none()));
     if bindings.is_empty() || !sequences.is_empty() || !plain {
         return None;

@@ -84,12 +84,12 @@ impl Prover {
         if std::mem::replace(&mut self.within_powers, true) {
             return Err(Fail::No("powers"));
         }
-        let shown = self.from_bases(goal);
+        let shown = self.by_bases_of_facts(goal);
         self.within_powers = false;
         shown
     }
 
-    fn from_bases(&mut self, goal: &Prop) -> Result<Label, Fail> {
+    fn by_bases_of_facts(&mut self, goal: &Prop) -> Result<Label, Fail> {
         let wanted: &[Relation] = match single(goal)?.1 {
             Relation::NotEqual => &[Relation::NotEqual],
             Relation::Equal => return Err(Fail::No("an order of powers")),

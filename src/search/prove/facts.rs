@@ -135,7 +135,7 @@ impl Prover {
 
     /// The same, with the only factor above the line whether its sign is seen or not: it may be seen by this very fact.
     fn known_by(&mut self, label: &str, fact: &Prop, is_said: bool) -> Option<Known> {
-        let Some((a, relation, b)) = fact.single() else { return None };
+        let (a, relation, b) = fact.single()?;
         let (kind, up) = match relation {
             Relation::Equal => (Kind::Zero, true),
             Relation::Greater => (Kind::Strict, true),

@@ -138,7 +138,8 @@ impl Prover {
                     return self
                         .with_half(|c| c.by_equations(goal, bindings, body))
                         .or_else(|_| self.by_intermediate_value(goal, bindings, body))
-                        .or_else(|_| self.with_solved_equations(|c| c.by_equations(goal, bindings, body)));
+                        .or_else(|_| self.with_solved_equations(|c| c.by_equations(goal, bindings, body)))
+                        .or_else(|_| self.on_its_own(|c| c.by_a_far_number(goal, bindings, body)));
                 }
             },
         };

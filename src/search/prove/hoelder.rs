@@ -64,7 +64,7 @@ impl Prover {
         let least = self.combination(compare(between(&first, &second, &weight), order, small.clone()), by)?;
         let mut sums = vec![small, first];
         sums.extend(terms(&second).is_some().then(|| second.clone()));
-        let lemma = self.from_the_mean(goal, &sums, (&second, &weight, &q), order)?;
+        let lemma = self.goal_below_the_mean(goal, &sums, (&second, &weight, &q), order)?;
         for (_, whole) in &lemma.1 {
             self.quietly(&positive(whole))?;
         }
@@ -74,7 +74,7 @@ impl Prover {
 
     /// For all t, s and s′ > 0, the goal with these names for its sums if s^(1 − w)·s′^w lies above t; with the sum that each name is
     /// for. A power of a sum need not be multiplied out so.
-    fn from_the_mean(
+    fn goal_below_the_mean(
         &mut self,
         goal: &Prop,
         sums: &[Expr],

@@ -125,7 +125,7 @@ fn comparisons(prop: &Prop, into: &mut Vec<Prop>) {
 
 /// Whether an inequality bounds a variable from above or below by an expression without it; `None` where it does neither.
 fn bounds_above(prop: &Prop, variable: &str) -> Option<bool> {
-    let Some((a, relation, b)) = prop.single() else { return None };
+    let (a, relation, b) = prop.single()?;
     let is_it = |e: &Expr| matches!(&e.kind, ExprKind::Name(n) if n == variable);
     let is_free = |e: &Expr| {
         let mut names = BTreeSet::new();
