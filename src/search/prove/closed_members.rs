@@ -1,5 +1,6 @@
 //! Members of sequences inside any comparison, in closed form: for u(0) = c and u(k + 1) = a·u(k) + b, with a and b without k, u(k) is
-//! (c − b/(1 − a))·a^k + b/(1 − a), or c + k·b where a is 1.
+//! (c − b/(1 − a))·a^k + b/(1 − a), or c + k·b where a is 1. For s(k + 1) = s(k) + b(k), where b(k) holds members of sequences defined
+//! before it, s(k) is the sum of their closed forms.
 //!
 //! Method: the closed form is shown for all k by induction, and put in for each member of the goal; sums and products over an index are
 //! equal where their members are. What is left says nothing of the sequence, and is shown as any other goal.
@@ -39,18 +40,26 @@ impl Prover {
         if sequences.is_empty() || self.inductions > 0 || self.splits > 2 {
             return Err(no());
         }
-        // Of one member alone an induction shows what it is.
-        if *relations == [Relation::Equal] && sides.iter().any(|e| sequences.iter().any(|u| is_member(e, &u.name))) {
+        // Of one member alone an induction shows what it is, where its step holds no others.
+        let looks_aside = |u: &Sequence| sequences.iter().any(|w| w.name != u.name && holds_member(&u.step, &w.name));
+        let is_alone = |u: &Sequence| !looks_aside(u) && sides.iter().any(|e| is_member(e, &u.name));
+        if *relations == [Relation::Equal] && sequences.iter().any(is_alone) {
             return Err(no());
         }
-        let occur = |u: &&Sequence| sides.iter().any(|e| holds_member(e, &u.name));
-        let occurring: Vec<Sequence> = sequences.iter().filter(occur).cloned().collect();
+        let mut occurring: Vec<&Sequence> = Vec::new();
+        for u in sequences.iter().rev() {
+            let steps = occurring.iter().map(|later| &later.step);
+            if sides.iter().chain(steps).any(|e| holds_member(e, &u.name)) {
+                occurring.push(u);
+            }
+        }
         if occurring.is_empty() || occurring.len() > SEQUENCES {
             return Err(no());
         }
         let mut all = Vec::new();
-        for u in &occurring {
-            all.push(self.closed_form(u)?);
+        for u in occurring.into_iter().rev() {
+            let closed = self.closed_form(u, &all)?;
+            all.push(closed);
         }
         let (mut changed, mut labels) = (goal.clone(), Vec::new());
         if let PropKind::Compare(sides, _) = &mut changed.kind {
@@ -63,12 +72,47 @@ impl Prover {
         self.combination(goal.clone(), vec![super::facts::scaled(&shown, numeral(1))])
     }
 
-    /// The closed form of a sequence, shown by induction.
-    fn closed_form(&mut self, u: &Sequence) -> Result<Closed, Fail> {
+    /// The closed form of a sequence, shown by induction; those of the sequences that its step holds are put in.
+    fn closed_form(&mut self, u: &Sequence, before: &[Closed]) -> Result<Closed, Fail> {
+        let no = || Fail::No("a linear recurrence");
         let k = self.fresh("k");
-        let value = self.member_at(u, &name(&k)).ok_or(Fail::No("a linear recurrence"))?;
-        let every = self.is_closed_form(&apply(&u.name, name(&k)), &value, &k)?;
+        let own = apply(&u.name, name(&k));
+        let (mut own_step, mut used) = (u.step.clone(), Vec::new());
+        in_closed_form(&mut own_step, before, &mut used)?;
+        if used.is_empty() {
+            let value = self.member_at(u, &name(&k)).ok_or_else(no)?;
+            let every = self.is_closed_form(&own, &value, &k)?;
+            return Ok(Closed { sequence: u.name.clone(), index: k, value, every });
+        }
+        let alone = Sequence { step: own_step, ..u.clone() };
+        let value = self.member_at(&alone, &name(&k)).or_else(|| self.summed(&alone, &k)).ok_or_else(no)?;
+        self.inductions += 1;
+        let every = self.induction_by(&k, None, &compare(own, Relation::Equal, value.clone()), &mut |c, _, next| {
+            for (every, at) in &used {
+                let here = c.instance(every, &put_in(at, &u.index, &name(&k))?)?;
+                c.put_in(&here);
+            }
+            c.without_cases(next)
+        })?;
+        self.inductions -= 1;
         Ok(Closed { sequence: u.name.clone(), index: k, value, every })
+    }
+
+    /// u(0) + b(0) + … + b(k − 1) in closed form, where the step adds b.
+    fn summed(&mut self, u: &Sequence, k: &str) -> Option<Expr> {
+        let mut terms = Vec::new();
+        terms_of(&u.step, Sign::Plus, &mut terms);
+        let own = key::expr(&apply(&u.name, name(&u.index)));
+        let place = terms.iter().position(|(sign, e)| *sign == Sign::Plus && key::expr(e) == own)?;
+        terms.remove(place);
+        let added = total(terms);
+        if holds_member(&added, &u.name) {
+            return None;
+        }
+        let last = put_in(&added, &u.index, &name(k)).ok()?;
+        let index = Index { name: Name::new(&u.index), from: Box::new(numeral(0)), to: Box::new(name(k)) };
+        let to_last = self.closed_sum(&super::values::over(true, index, &added), k)?;
+        Some(minus(&plus(&u.initial, to_last), &last))
     }
 
     /// What the member of a linear recurrence with this index is.
@@ -174,6 +218,16 @@ fn holds_member(e: &Expr, sequence: &str) -> bool {
     let mut found = is_member(e, sequence);
     parts(e, &mut |part| found |= holds_member(part, sequence));
     found
+}
+
+/// The terms of a sum of sums.
+fn terms_of(e: &Expr, sign: Sign, out: &mut Vec<(Sign, Expr)>) {
+    let turned = |own| if own == sign { Sign::Plus } else { Sign::Minus };
+    match &e.kind {
+        ExprKind::Sum(list) => list.iter().for_each(|(own, e)| terms_of(e, turned(*own), out)),
+        ExprKind::Negate(inner) => terms_of(inner, turned(Sign::Minus), out),
+        _ => out.push((sign, e.clone())),
+    }
 }
 
 /// A step as a·u(k) + b, with no b where there is none: a and b hold neither the index nor a member.

@@ -131,7 +131,7 @@ impl Prover {
     }
 
     /// What a sum from 0 or 1 to a variable n comes to, as a whole or term by term.
-    fn closed_sum(&mut self, s: &Expr, variable: &str) -> Option<Expr> {
+    pub(super) fn closed_sum(&mut self, s: &Expr, variable: &str) -> Option<Expr> {
         let ExprKind::SumOver(index, body) = &s.kind else { return None };
         let from = natural(&index.from).filter(|from| *from <= 1)?;
         if let Some(value) = self.telescoped(&index.name.text, body, from, variable) {
