@@ -337,6 +337,34 @@ impl Prover {
         Some(new)
     }
 
+    /// ln(c·Π p^k) = ln(c) + Σ k·ln(p), where a divisor is a sum: u/(c·x^r) would be no sum of powers of x then.
+    fn logarithm_of_quotient(&mut self, u: &Expr, x: &str) -> Option<Expr> {
+        let reading = self.read(u, false)?;
+        let is_sum = |p: &Polynomial| p.term_count() > 1 && holds(&self.letters.written(p), x);
+        if !reading.factors.iter().any(|f| f.power < 0 && is_sum(&f.poly)) {
+            return None;
+        }
+        let (mut number, mut terms) = (reading.number, Vec::new());
+        for f in &reading.factors {
+            let mut p = self.letters.written(&f.poly);
+            let lead = self.leading(&p, x)?;
+            if !self.sign_of_constant(&lead.c)?.within(Signs::POSITIVE) {
+                p = self.letters.written(&f.poly.neg());
+                number *= Rational::from(if f.power % 2 == 0 { 1 } else { -1 });
+            }
+            // Its own equation follows from that of the whole.
+            let log = self.logarithm_by(&p, x, &mut Vec::new())?;
+            terms.push(product(vec![literal(&Rational::from(f.power)), log]));
+        }
+        if number <= 0 {
+            return None;
+        }
+        if number != 1 {
+            terms.push(apply("ln", literal(&number)));
+        }
+        Some(total(&terms))
+    }
+
     /// ln(u) = ln(c) + r·ln(x) + ln(u/(c·x^r)).
     fn logarithm_by(&mut self, u: &Expr, x: &str, equations: &mut Vec<(Expr, Expr)>) -> Option<Expr> {
         let whole = apply("ln", u.clone());
@@ -346,6 +374,10 @@ impl Prover {
         if let Some((top, rest)) = self.dominant(u, x) {
             let rest = self.written_by(&apply("ln", rest), x, equations)?;
             let new = sum(vec![(Sign::Plus, top), (Sign::Plus, rest)]);
+            equations.push((whole, new.clone()));
+            return Some(new);
+        }
+        if let Some(new) = self.logarithm_of_quotient(u, x) {
             equations.push((whole, new.clone()));
             return Some(new);
         }

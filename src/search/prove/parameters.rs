@@ -1,10 +1,10 @@
 //! Limits that depend on parameters: the members of a sequence by their closed form, and parameters of any sign case by case.
 
 use super::limits::holds;
-use super::slopes::put_in;
 use super::{Fail, Prover, implies};
 use crate::certificate::{Label, Rule};
 use crate::claim::syntax::*;
+use crate::claim::walk::parts;
 use crate::kernel::key;
 use crate::kernel::names::names_in;
 use crate::kernel::order::Signs;
@@ -37,7 +37,33 @@ impl Prover {
         self.between(goal, l, (&closed, &closed), &facts, 1)
     }
 
-    /// Proves a limit where a real parameter is negative, 0 and positive.
+    /// A sum free of the variable, of any sign, by which what holds the variable is multiplied or divided.
+    fn constant_of_any_sign(&mut self, e: &Expr, x: &str) -> Option<Expr> {
+        if !holds(e, x) {
+            return None;
+        }
+        if let ExprKind::Product(list) = &e.kind {
+            let mut constants =
+                list.iter().map(|(_, e)| e).filter(|e| matches!(e.kind, ExprKind::Sum(_)) && !holds(e, x));
+            if let Some(open) = constants.find(|e| self.signs_of(e) == Signs::ANY) {
+                return Some(open.clone());
+            }
+        }
+        match &e.kind {
+            ExprKind::Negate(_) | ExprKind::Sum(_) | ExprKind::Product(_) => {
+                let mut found = None;
+                parts(e, &mut |part| {
+                    if found.is_none() {
+                        found = self.constant_of_any_sign(part, x);
+                    }
+                });
+                found
+            }
+            _ => None,
+        }
+    }
+
+    /// Proves a limit where a real parameter, or a factor that is a sum of parameters, is negative, 0 and positive.
     pub(super) fn by_signs_of_a_parameter(&mut self, goal: &Prop, l: &Limit) -> Result<Label, Fail> {
         let no = || Fail::No("a parameter of any sign");
         if self.parameters >= PARAMETERS {
@@ -50,12 +76,16 @@ impl Prover {
         let mut raised = Vec::new();
         super::alternating::powers_to(&l.of, &l.variable.text, &mut raised);
         let is_open = |c: &mut Prover, n: &String| c.is_a_name(n) && c.signs_of(&name(n)) == Signs::ANY;
+        let factor = self.constant_of_any_sign(&l.of, &l.variable.text);
         let beside = names.iter().find(|n| !holds(&l.value, n) && is_open(self, n)).cloned();
-        let is_beside = beside.is_some();
+        let is_beside = match &factor {
+            Some(factor) => !mentions(&l.value, factor),
+            None => beside.is_some(),
+        };
         let in_a_base = |n: &&String| raised.iter().any(|(base, _)| holds(base, n));
         let open = beside.or_else(|| names.iter().filter(in_a_base).find(|n| is_open(self, n)).cloned());
         let open = open.or_else(|| names.iter().filter(|_| !raised.is_empty()).find(|n| is_open(self, n)).cloned());
-        let open = open.ok_or_else(no)?;
+        let open = factor.or_else(|| open.map(|n| name(&n))).ok_or_else(no)?;
         let relations = match is_beside {
             true => vec![Relation::Less, Relation::Equal, Relation::Greater],
             false => vec![Relation::Less, Relation::GreaterEqual],
@@ -63,10 +93,11 @@ impl Prover {
         self.parameters += 1;
         let mut from = Vec::new();
         for relation in relations {
-            let case = compare(name(&open), relation, numeral(0));
+            let case = compare(open.clone(), relation, numeral(0));
             let shown = self.block(&implies(&case, goal), |c, _| {
                 if relation == Relation::Equal {
-                    let zero = put_in(&l.of, &open, &numeral(0))?;
+                    let mut zero = l.of.clone();
+                    super::sums::replace(&mut zero, &open, &numeral(0));
                     return c.between(goal, l, (&zero, &zero), &[], 1);
                 }
                 c.limit(goal, l)
@@ -87,6 +118,6 @@ impl Prover {
 /// Whether an expression occurs in another.
 fn mentions(e: &Expr, part: &Expr) -> bool {
     let mut found = key::expr(e) == key::expr(part);
-    crate::claim::walk::parts(e, &mut |e| found |= mentions(e, part));
+    parts(e, &mut |e| found |= mentions(e, part));
     found
 }
