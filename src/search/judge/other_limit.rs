@@ -3,7 +3,8 @@
 //! Method: at a point of the parameters the value is read from bounds, and proved with the kernel. It is certainly another than
 //! the claim's. A limit is one number; and where an expression tends to one, it does so along every way on which its variable
 //! grows: a natural number along the even ones and the odd ones, a real number by steps of 2π. Of a bound |F| <= C·|G| from some number
-//! on, for some C, the search shows that G/F tends to 0: so |F| exceeds every multiple of |G|.
+//! on, for some C, the search shows that G/F tends to 0: so |F| exceeds every multiple of |G|. Of what is said to hold from some number on,
+//! such as F > 0 where F is said to grow beyond all bounds, it shows that the opposite does.
 //!
 //! Limits: [`POINTS`], and the time.
 
@@ -29,7 +30,7 @@ pub(super) fn witness(claim: &Claim, points: &[Point], limits: &Limits) -> Optio
     let (mut said, mut bounds) = (Vec::new(), Vec::new());
     limits_of(&claim.goal, &mut said);
     bounds_of(&claim.goal, &mut bounds);
-    if said.is_empty() && bounds.is_empty() {
+    if said.is_empty() && bounds.is_empty() && opposites_of(&claim.goal).is_empty() {
         return None;
     }
     let statement = Statement::of(claim).ok().filter(|s| s.sequences.is_empty())?;
@@ -52,7 +53,9 @@ pub(super) fn witness(claim: &Claim, points: &[Point], limits: &Limits) -> Optio
     let end = Moment::now().checked_add(limits.time);
     points.into_iter().take(POINTS).find_map(|point| {
         let other = said.iter().find_map(|l| other(claim, &statement, l, &point, (limits, end)));
-        let broken = other.or_else(|| bounds.iter().find_map(|b| exceeded(claim, b, &point, (limits, end))))?;
+        let broken = other.or_else(|| bounds.iter().find_map(|b| exceeded(claim, b, &point, (limits, end))));
+        let mut opposites = opposites_of(&statement.goal).into_iter();
+        let broken = broken.or_else(|| opposites.find_map(|p| holds_at_last(claim, &p, &point, (limits, end))))?;
         Some(Witness { point, broken: vec![broken] })
     })
 }
@@ -158,9 +161,15 @@ fn values(point: &Point) -> Option<Substitution> {
 
 /// A claim that says a limit alone.
 fn of_limit(claim: &Claim, limit: Limit, natural: bool) -> Claim {
+    let variable = Item::Given(vec![Binding::of(limit.variable.clone(), natural, Vec::new())]);
+    alone(claim, vec![variable], prop(PropKind::Limit(Box::new(limit))))
+}
+
+/// A claim that says this alone.
+fn alone(claim: &Claim, items: Vec<Item>, goal: Prop) -> Claim {
     Claim {
-        items: vec![Item::Given(vec![Binding::of(limit.variable.clone(), natural, Vec::new())])],
-        goal: prop(PropKind::Limit(Box::new(limit))),
+        items,
+        goal,
         using: Vec::new(),
         sample: Vec::new(),
         proof: Proof::default(),
@@ -224,6 +233,41 @@ fn exceeded(claim: &Claim, bound: &Bound, point: &Point, (limits, end): (&Limits
     let own_claim = of_limit(claim, limit, bound.natural);
     prove::certificate(&own_claim, &[], &Limits { time: left, ..limits.clone() }).ok()?;
     let statement = "the difference exceeds every multiple of the order".to_string();
+    Some(Broken { statement, left: String::new(), right: String::new() })
+}
+
+/// For each comparison that a goal says to hold from some number on, the same with the opposite comparison: both cannot hold.
+fn opposites_of(p: &Prop) -> Vec<Prop> {
+    let opposite = |p: &Prop| {
+        let PropKind::Exists(bindings, body) = &p.kind else { return None };
+        let eventual = prove::eventual(bindings, body).filter(|e| e.factor.is_none())?;
+        let ([(l, relation, r)], PropKind::ForAll(later, inner)) = (eventual.pairs.as_slice(), &body.kind) else {
+            return None;
+        };
+        inner.single()?;
+        let denied = prop(PropKind::Compare(vec![l.clone(), r.clone()], vec![relation.negated()]));
+        let every = prop(PropKind::ForAll(later.clone(), Box::new(denied)));
+        Some(prop(PropKind::Exists(bindings.clone(), Box::new(every))))
+    };
+    match &p.kind {
+        PropKind::And(list) => list.iter().flat_map(opposites_of).collect(),
+        _ => opposite(p).into_iter().collect(),
+    }
+}
+
+/// That a statement holds at a point of the parameters whose opposite is claimed.
+fn holds_at_last(claim: &Claim, p: &Prop, point: &Point, (limits, end): (&Limits, Option<Moment>)) -> Option<Broken> {
+    let goal = values(point)?.prop(p).ok()?;
+    let mut free = BTreeSet::new();
+    crate::kernel::names::free_names(&goal, &mut free);
+    if free.iter().any(|n| *n != PI && !is_built_in(n)) {
+        return None;
+    }
+    let PropKind::Exists(_, every) = &goal.kind else { return None };
+    let PropKind::ForAll(_, inner) = &every.kind else { return None };
+    let statement = format!("from some number on {}", print::prop(inner));
+    let left = end.map_or(limits.time, |end| end.after(Moment::now()));
+    prove::certificate(&alone(claim, Vec::new(), goal), &[], &Limits { time: left, ..limits.clone() }).ok()?;
     Some(Broken { statement, left: String::new(), right: String::new() })
 }
 
