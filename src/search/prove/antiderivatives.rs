@@ -281,7 +281,8 @@ fn of_arc(p: &[Expr], arc: &Expr, x: &str, depth: usize) -> Option<Expr> {
     Some(total(vec![(Sign::Plus, times(&whole_p, arc)), (Sign::Minus, rest)]))
 }
 
-/// p·g for a polynomial p and g one of exp, sin, cos or ln of a linear argument, or exp times a sine or cosine.
+/// p·g for a polynomial p and g one of exp, sin, cos or ln of a linear argument, a power of one such as a root, or exp times a sine or
+/// cosine.
 fn by_parts(list: &[(Expr, Expr)], x: &str, depth: usize) -> Option<Expr> {
     let one = |e: &(Expr, Expr)| whole(&e.1) == Some(1);
     let mut p = vec![numeral(1)];
@@ -297,7 +298,11 @@ fn by_parts(list: &[(Expr, Expr)], x: &str, depth: usize) -> Option<Expr> {
         }
     }
     match rest.as_slice() {
-        [g] if one(g) || matches!(&g.0.kind, ExprKind::Apply(f, _) if f.text == "exp") || !holds(&g.0, x) => {
+        [g] if one(g)
+            || matches!(&g.0.kind, ExprKind::Apply(f, _) if f.text == "exp")
+            || !holds(&g.0, x)
+            || (!holds(&g.1, x) && whole(&g.1).is_none() && slope(&g.0, x).is_some()) =>
+        {
             if let ExprKind::Apply(f, arguments) = &g.0.kind
                 && let ("ln", [u]) = (f.text.as_str(), arguments.as_slice())
             {
