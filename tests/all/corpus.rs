@@ -72,7 +72,8 @@ fn kinds() -> BTreeMap<String, Vec<Claim>> {
 /// A claim's verdict. What `decided.txt` lists has three times the time in which it was found to be decided: another machine
 /// may be slower.
 fn judge(claim: &Claim, is_listed: bool) -> Judged {
-    let limits = Limits { time: Duration::from_secs(if is_listed { 9 } else { 3 }), steps: 40_000, ..Limits::default() };
+    let limits =
+        Limits { time: Duration::from_secs(if is_listed { 9 } else { 3 }), steps: 40_000, ..Limits::default() };
     let name = claim.name.text.clone();
     let begin = Instant::now();
     let catalogue = Catalogue::new(vec![claim.clone()]).unwrap_or_else(|f| panic!("{name}: {}", f[0].1.message()));

@@ -36,16 +36,29 @@ struct Powers {
 }
 
 impl Prover {
-    /// Shows an order of products of powers of sums by Hölder's inequality.
+    /// Shows an order of products of powers of sums by Hölder's inequality. The facts on the way end with a block: they are about powers
+    /// that nothing else holds.
     pub(super) fn by_hoelder(&mut self, goal: &Prop) -> Result<Label, Fail> {
-        let no = || Fail::No("powers of sums");
         let (a, relation, b) = single(goal)?;
-        let (greater, less) = if relation.is_greater().ok_or_else(no)? { (a, b) } else { (b, a) };
+        let (greater, less) = if relation.is_greater() == Some(true) { (a, b) } else { (b, a) };
         let (greater, less) = without_common_summands(greater, less);
-        let Powers { small: (small, q), mut large } = self.powers_of_sums(&greater, &less).ok_or_else(no)?;
+        let powers = self.powers_of_sums(&greater, &less).ok_or(Fail::No("powers of sums"))?;
+        let nothing = compare(numeral(0), Relation::Equal, numeral(0));
+        let apart = self.block(&implies(&nothing, goal), |c, _| c.by_means_of_terms(goal, powers))?;
+        let nothing = self.combination(nothing, Vec::new())?;
+        self.logic(&[&apart, &nothing], goal)
+    }
+
+    fn by_means_of_terms(&mut self, goal: &Prop, powers: Powers) -> Result<Label, Fail> {
+        let no = || Fail::No("powers of sums");
+        let Powers { small: (small, q), mut large } = powers;
         let wanted = terms(&small).ok_or_else(no)?;
         let (first, p) = large.remove(0);
         let weight = as_number(over(minus(&q, &p), q.clone()));
+        let is_positive = |c: &mut Prover, e: &Expr| c.signs_of(e).within(Signs::POSITIVE);
+        if ![&weight, &as_number(one_minus(&weight))].into_iter().all(|w| is_positive(self, w)) {
+            return Err(no());
+        }
         let (second, others) = match large.pop() {
             Some((second, r)) if self.is_zero(&minus(&q, &add(vec![p.clone(), r.clone()]))) => {
                 let others = terms(&second).ok_or_else(no)?;
