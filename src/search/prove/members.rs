@@ -151,13 +151,7 @@ impl Prover {
         inverses.labels.iter().for_each(|label| self.put_in(label));
         let by_letters = self.combination(named.clone(), Vec::new());
         let by_letters = by_letters.or_else(|_| {
-            // The kernel takes divisors out of sums that have members: an induction on the end of one would find others. A geometric
-            // sum takes more effort so than as it is written.
-            let mut powers = Vec::new();
-            own.iter().for_each(|m| super::hypergeometric::powers(&m.body, m.k(), &mut powers));
-            if !powers.is_empty() {
-                return Err(Fail::No("sums of quotients of polynomials"));
-            }
+            // The kernel takes divisors out of sums that have members: an induction on the end of one would find others.
             self.on_its_own(|c| {
                 let shown = c.by_sums(&simple)?;
                 c.combination(named.clone(), vec![fact(&shown)])
