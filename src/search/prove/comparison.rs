@@ -8,7 +8,7 @@ use crate::algebra::Polynomial;
 use crate::certificate::{Label, Rule, Term};
 use crate::claim::syntax::*;
 use crate::kernel::order::Signs;
-use crate::kernel::statement::{compare, numeral, prop};
+use crate::kernel::statement::{compare, numeral};
 use crate::refute::literal::literal;
 use malachite::Rational;
 use malachite::base::num::basic::traits::One;
@@ -151,7 +151,7 @@ impl Prover {
         both
     }
 
-    /// Proves a comparison of quotients with exponentials, logarithms, roots or sums over an index, multiplied by its divisors.
+    /// Proves a comparison of quotients with exponentials, logarithms or roots, multiplied by its divisors.
     pub(super) fn without_divisors(&mut self, goal: &Prop) -> Result<Label, Fail> {
         let (a, relation, b) = single(goal)?;
         let no = || Fail::No("a divisor of known sign");
@@ -163,8 +163,7 @@ impl Prover {
         let open = super::squares::Open::of(self, &reading).filter(|_| divides).ok_or_else(no)?;
         let own = super::squares::own_relation(open.signs, relation).ok_or_else(no)?;
         let whole = self.letters.written(&open.poly);
-        let sums = prop(PropKind::Compare(vec![whole.clone()], Vec::new()));
-        if !super::slopes::has_function(&whole) && !super::has_an_index(&sums) {
+        if !super::slopes::has_function(&whole) {
             return Err(no());
         }
         let shown = self.without_cases(&compare(whole, own, numeral(0)))?;

@@ -63,9 +63,8 @@ struct Letter {
     own: Label,
     /// It is the sum with names of inverses.
     new: Label,
-    /// It is that in its normal form, and this form.
+    /// It is that in its normal form.
     simple: Label,
-    value: Expr,
 }
 
 /// A way to bound a sum.
@@ -125,14 +124,12 @@ impl Prover {
 
     /// A goal with names for its sums in which divisors hold no index.
     fn with_named_divisors(&mut self, goal: &Prop, sums: &[Expr]) -> Result<Label, Fail> {
-        let (mut named, mut written, mut simple, mut own) = (goal.clone(), goal.clone(), goal.clone(), Vec::new());
+        let (mut named, mut written, mut own) = (goal.clone(), goal.clone(), Vec::new());
         let (mut inverses, mut letters) = (Inverses::default(), Vec::new());
         for s in sums {
             let Some(members) = self.members(s)? else { continue };
-            let mut flat = members.body.clone();
-            without_nested_quotients(&mut flat);
-            let body = self.inverses_named(&members, &flat, &mut inverses)?;
-            if body == flat {
+            let body = self.inverses_named(&members, &members.body, &mut inverses)?;
+            if body == members.body {
                 own.push(members);
                 continue;
             }
@@ -140,7 +137,6 @@ impl Prover {
             let members = Members { body, ..members };
             in_prop(&mut named, s, &letter.name);
             in_prop(&mut written, s, &members.sum_of(&members.body));
-            in_prop(&mut simple, s, &letter.value);
             letters.push(letter);
             own.push(members);
         }
@@ -150,13 +146,6 @@ impl Prover {
         letters.iter().for_each(|letter| self.put_in(&letter.simple));
         inverses.labels.iter().for_each(|label| self.put_in(label));
         let by_letters = self.combination(named.clone(), Vec::new());
-        let by_letters = by_letters.or_else(|_| {
-            // The kernel takes divisors out of sums that have members: an induction on the end of one would find others.
-            self.on_its_own(|c| {
-                let shown = c.by_sums(&simple)?;
-                c.combination(named.clone(), vec![fact(&shown)])
-            })
-        });
         let shown = match by_letters.or_else(|_| self.attempt(|c| c.without_cases(&named))) {
             Ok(label) => label,
             Err(_) => {
@@ -224,9 +213,8 @@ impl Prover {
         let terms = vec![fact(&own), fact(&same)];
         let simple = self.simplified_alone(&new);
         let new = self.combination(compare(s.clone(), Relation::Equal, new), terms)?;
-        let value = simple.clone();
         let simple = self.combination(compare(s.clone(), Relation::Equal, simple), vec![fact(&new)])?;
-        Ok(Letter { name: s, own, new, simple, value })
+        Ok(Letter { name: s, own, new, simple })
     }
 
     /// An expression in its normal form, no equation put in: the names of inverses are taken out of its sums.
@@ -423,25 +411,6 @@ fn constant_divisors(e: &Expr, bound: &mut Vec<String>, out: &mut Vec<Expr>) {
     }
     parts(e, &mut |part| constant_divisors(part, bound, out));
     bound.truncate(outside);
-}
-
-/// Writes d/(v/k) as d/v*k.
-fn without_nested_quotients(e: &mut Expr) {
-    parts_mut(e, &mut without_nested_quotients);
-    if let ExprKind::Product(list) = &mut e.kind {
-        let flat = |(how, e): (Factor, Expr)| match (how, e.kind) {
-            (Factor::Over, ExprKind::Product(inner)) => {
-                let turned = |how| if how == Factor::Times { Factor::Over } else { Factor::Times };
-                inner.into_iter().map(|(how, e)| (turned(how), e)).collect()
-            }
-            (Factor::Times, ExprKind::Product(inner)) => inner,
-            (how, kind) => vec![(how, Expr { kind, span: e.span })],
-        };
-        *list = std::mem::take(list).into_iter().flat_map(flat).collect();
-        if list.first().is_none_or(|f| f.0 == Factor::Over) {
-            list.insert(0, (Factor::Times, numeral(1)));
-        }
-    }
 }
 
 /// Factors that are the names of their inverses in the place of divisors.
