@@ -12,7 +12,7 @@ use crate::algebra::Moment;
 use crate::claim::print;
 use crate::claim::syntax::*;
 use crate::claim::walk::names_in;
-use crate::kernel::statement::{expr, name, numeral, prop};
+use crate::kernel::statement::{compare, expr, name, numeral, prop};
 use crate::kernel::substitution::Substitution;
 use crate::prove;
 use crate::refute::catalogue::Limits;
@@ -245,7 +245,7 @@ fn opposites_of(p: &Prop) -> Vec<Prop> {
             return None;
         };
         inner.single()?;
-        let denied = prop(PropKind::Compare(vec![l.clone(), r.clone()], vec![relation.negated()]));
+        let denied = compare(l.clone(), relation.negated(), r.clone());
         let every = prop(PropKind::ForAll(later.clone(), Box::new(denied)));
         Some(prop(PropKind::Exists(bindings.clone(), Box::new(every))))
     };

@@ -12,10 +12,10 @@ use super::antiderivatives::factors;
 use super::coefficients::{add, rational};
 use super::comparison::single;
 use super::facts::{minus, negated};
-use super::integrals::with_for;
-use super::letters::product;
+use super::letters::{product, total};
 use super::limits::over;
 use super::means::positive;
+use super::sums::replace;
 use super::{Fail, Prover, implies};
 use crate::certificate::{Label, Rule, Term};
 use crate::claim::syntax::*;
@@ -96,7 +96,11 @@ impl Prover {
     ) -> Result<(Label, Vec<(String, Expr)>), Fail> {
         let (a, relation, b) = single(goal)?;
         let point: Vec<(String, Expr)> = sums.iter().map(|whole| (self.fresh("s"), whole.clone())).collect();
-        let named = |e: &Expr| point.iter().fold(e.clone(), |e, (own, whole)| with_for(&e, whole, &name(own)));
+        let named = |e: &Expr| {
+            let mut e = e.clone();
+            point.iter().for_each(|(own, whole)| replace(&mut e, whole, &name(own)));
+            e
+        };
         let above = Constraint::Relation(Relation::Greater, numeral(0));
         let bindings = point.iter().map(|(own, _)| Binding::of(Name::new(own), false, vec![above.clone()])).collect();
         let (mean, below) = (between(&named(&sums[1]), &named(second), weight), named(&sums[0]));
@@ -135,10 +139,10 @@ impl Prover {
 
     /// (Σ aᵢ)^(1 − w)·(Σ bᵢ)^w >= Σ aᵢ^(1 − w)·bᵢ^w, strict where some mean is seen to be.
     pub(super) fn hoelder(&mut self, firsts: &[Expr], seconds: &[Expr], weight: &Expr) -> Result<Label, Fail> {
-        let [first, second] = [firsts, seconds].map(|list| total(list.to_vec()));
+        let [first, second] = [firsts, seconds].map(|list| added(list.iter().cloned()));
         let large = between(&first, &second, weight);
         let means = firsts.iter().zip(seconds).map(|(a, b)| between(a, b, weight));
-        let small = total(means.collect());
+        let small = added(means);
         let (mut terms, mut written, mut strict) = (Vec::new(), Vec::new(), false);
         for (a, b) in firsts.iter().zip(seconds) {
             let (own, other) = (over(a.clone(), first.clone()), over(b.clone(), second.clone()));
@@ -244,9 +248,9 @@ fn as_powers(e: &Expr) -> Expr {
     product(list.into_iter().map(|(base, exponent)| power(&base, &exponent)).collect())
 }
 
-/// A sum of these terms.
-fn total(terms: Vec<Expr>) -> Expr {
-    sum(terms.into_iter().map(|e| (Sign::Plus, e)).collect())
+/// The sum of these terms.
+fn added(terms: impl Iterator<Item = Expr>) -> Expr {
+    total(terms.map(|e| (Sign::Plus, e)).collect())
 }
 
 /// The terms of a sum, if all are added.

@@ -5,6 +5,7 @@ use super::facts::{minus, negated};
 use super::letters::{as_power, product, total};
 use super::limits::{holds, over};
 use super::slopes::put_in;
+use super::sums::replace;
 use super::{Fail, Prover};
 use crate::certificate::{Label, Rule, Term};
 use crate::claim::syntax::*;
@@ -247,7 +248,8 @@ impl Prover {
         for bound in bounds {
             let Some(big_f) = antiderivative(&bound, &x) else { continue };
             let gain = minus(&put_in(&big_f, &x, b)?, &put_in(&big_f, &x, a)?);
-            let sides: Vec<Expr> = [left, right].map(|e| with_for(e, &integral, &gain)).into();
+            let mut sides = [left.clone(), right.clone()];
+            sides.iter_mut().for_each(|e| replace(e, &integral, &gain));
             let plain = compare(sides[0].clone(), relation.loose(), sides[1].clone());
             let shown = self.gained(variable, &x, [&big_f, &bound, &f], relation.turned(), |c, label| {
                 c.enrich(&sides.iter().collect::<Vec<_>>());
@@ -264,16 +266,6 @@ impl Prover {
         }
         Err(no())
     }
-}
-
-/// An expression with another one for an integral.
-pub(super) fn with_for(e: &Expr, integral: &Expr, value: &Expr) -> Expr {
-    if e == integral {
-        return value.clone();
-    }
-    let mut out = e.clone();
-    crate::claim::walk::parts_mut(&mut out, &mut |part| *part = with_for(part, integral, value));
-    out
 }
 
 /// The terms of a sum with the factors before them; what is no integral may keep its own.

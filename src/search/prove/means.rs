@@ -274,6 +274,7 @@ fn powers_in(e: &Expr, out: &mut Vec<(Expr, Expr)>) {
     }
 }
 
+/// That an expression is positive.
 pub(super) fn positive(e: &Expr) -> Prop {
     compare(e.clone(), Relation::Greater, numeral(0))
 }

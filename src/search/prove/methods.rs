@@ -5,7 +5,6 @@
 
 use super::comparison::single;
 use super::{Fail, Prover, ideal};
-use crate::algebra::Moment;
 use crate::certificate::{Label, Rule};
 use crate::claim::print;
 use crate::claim::syntax::Prop;
@@ -231,7 +230,7 @@ impl Prover {
             {
                 continue;
             }
-            if self.deadline.is_some_and(|deadline| Moment::now() > deadline) {
+            if self.is_late() {
                 return Err(Fail::Limit("time"));
             }
             let before = self.ticks;

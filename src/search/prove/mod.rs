@@ -426,10 +426,15 @@ impl Prover {
         at_once::accepted(claim, whole, cited, limits)
     }
 
+    /// Whether the time is over.
+    fn is_late(&self) -> bool {
+        self.deadline.is_some_and(|deadline| Moment::now() > deadline)
+    }
+
     fn tick(&mut self) -> Result<(), Fail> {
         self.tries += 1;
         self.ticks += 1;
-        if self.deadline.is_some_and(|deadline| Moment::now() > deadline) {
+        if self.is_late() {
             return Err(Fail::Limit("time"));
         }
         if self.tries > self.most_tries { Err(Fail::Limit("steps")) } else { Ok(()) }
@@ -449,7 +454,7 @@ impl Prover {
 
     /// The limit that ended the search, if the user's own did.
     fn exhausted(&self) -> Option<Fail> {
-        if self.is_short || self.deadline.is_some_and(|deadline| Moment::now() > deadline) {
+        if self.is_short || self.is_late() {
             return Some(Fail::Limit("time"));
         }
         (self.tries > self.most_tries && self.most_tries < TRIES).then_some(Fail::Limit("steps"))

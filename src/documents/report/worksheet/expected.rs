@@ -1,8 +1,8 @@
 //! Which typed numbers answer a cell or a question of a sheet.
 //!
 //! Contract: an exact value is right as itself, however it is spelled. A value that the wanted digits do not show in full is also
-//! right as its decimal of that many digits (in the middle of two, either of them), and as a decimal of more digits, up to
-//! [`MOST`], rounded up or down in the last one, as calculators show it. No other number is right. An answer with an
+//! right as its decimal of that many digits. In the middle of two, either of them is. Calculators show more digits: up to
+//! [`MOST`] of them are right, rounded up or down in the last one. No other number is right. An answer with an
 //! uncertainty has no [`Expected`]: people may round it in several ways.
 //!
 //! [`Expected::digests`] is what a page holds of it: salted SHA-256, so that nobody reads the answers in the source at a glance.
