@@ -268,7 +268,7 @@ class Chain:
         return self._list("velocities")
 
     def last_velocity(self) -> Number:
-        """The last body's velocity alone, for long chains. ``speed`` and ``velocities`` are those of :func:`velocities`."""
+        """The last body's velocity alone, for long chains; its arguments are those of :func:`velocities`."""
         return self._number("last-velocity")
 
     def losses(self) -> List[Number]:
