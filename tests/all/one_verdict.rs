@@ -1,6 +1,7 @@
 //! The form of a statement does not decide its verdict: as a goal, as a `have`, in a `case`, with hypotheses in another order,
 //! and said with other connectives or nested quantifiers.
 
+use crate::support::{at_least, sample};
 use carom::claim::parse::parse;
 use carom::claim::syntax::{Claim, Expectation, Name, Proof, Prop, Span, Step};
 use carom::judge::outcome_of;
@@ -65,7 +66,7 @@ fn claims() -> Vec<(String, Claim)> {
 fn a_goal_is_proved_as_a_fact_in_a_case_and_with_reordered_hypotheses_or_not_at_all() {
     let mut differing = Vec::new();
     let mut asked = 0;
-    for (text, claim) in claims() {
+    for (text, claim) in sample(claims()) {
         let mut forms = vec![("as a fact", as_have(&claim)), ("in a case", in_a_case(&claim))];
         forms.extend(reordered(&text).map(|c| ("reordered", c)));
         for (form, claim) in forms {
@@ -76,7 +77,7 @@ fn a_goal_is_proved_as_a_fact_in_a_case_and_with_reordered_hypotheses_or_not_at_
             }
         }
     }
-    assert!(asked > 150, "only {asked} forms were asked");
+    assert!(asked > at_least(150), "only {asked} forms were asked");
     assert!(differing.is_empty(), "{differing:#?}");
 }
 

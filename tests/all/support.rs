@@ -62,6 +62,24 @@ pub(crate) fn said(output: &Output) -> String {
     text(&output.stdout) + &text(&output.stderr)
 }
 
+/// Whether every case is asked for, as `.ci/run` does: `CAROM_WHOLE=1`.
+pub(crate) fn whole() -> bool {
+    std::env::var_os("CAROM_WHOLE").is_some()
+}
+
+/// A run that is not whole tries one of so many cases.
+const SAMPLED: usize = 3;
+
+/// Every third of these, and all in a whole run: whoever changes one function does not wait for them all.
+pub(crate) fn sample<T>(cases: impl IntoIterator<Item = T>) -> impl Iterator<Item = T> {
+    cases.into_iter().step_by(if whole() { 1 } else { SAMPLED })
+}
+
+/// The least number of cases that a test with this one in a whole run must have tried.
+pub(crate) fn at_least(in_all: usize) -> usize {
+    if whole() { in_all } else { in_all / SAMPLED }
+}
+
 /// The claims of the catalogue by name.
 pub(crate) fn catalogue() -> BTreeMap<String, Claim> {
     let claims = embedded::claims(&[]).expect("they are read").expect("no name was asked for");

@@ -27,6 +27,9 @@ use malachite::Rational;
 /// The most terms of a sum.
 const TERMS: usize = 6;
 
+/// A power of a sum that is costly to multiply out is above this.
+const HIGH: u64 = 4;
+
 /// A comparison of powers of sums.
 struct Powers {
     /// The sum that is alone on the smaller side, and its exponent there.
@@ -38,11 +41,17 @@ struct Powers {
 impl Prover {
     /// Shows an order of products of powers of sums by Hölder's inequality. The facts on the way end with a block: they are about powers
     /// that nothing else holds.
-    pub(super) fn by_hoelder(&mut self, goal: &Prop) -> Result<Label, Fail> {
+    ///
+    /// With `high` only where the power of the sum alone is a number above [`HIGH`]: what is less is multiplied out first, which shows
+    /// more in fewer steps.
+    pub(super) fn by_hoelder(&mut self, goal: &Prop, high: bool) -> Result<Label, Fail> {
         let (a, relation, b) = single(goal)?;
         let (greater, less) = if relation.is_greater() == Some(true) { (a, b) } else { (b, a) };
         let (greater, less) = without_common_summands(greater, less);
         let powers = self.powers_of_sums(&greater, &less).ok_or(Fail::No("powers of sums"))?;
+        if high && rational(&powers.small.1).is_none_or(|q| q <= HIGH) {
+            return Err(Fail::No("a high power"));
+        }
         let nothing = compare(numeral(0), Relation::Equal, numeral(0));
         let apart = self.block(&implies(&nothing, goal), |c, _| c.by_means_of_terms(goal, powers))?;
         let nothing = self.combination(nothing, Vec::new())?;
@@ -204,22 +213,22 @@ impl Prover {
             return None;
         }
         let (mut firsts, mut seconds) = (firsts.to_vec(), seconds.to_vec());
-        let mut out = (Vec::new(), Vec::new(), Vec::new());
+        let (mut own, mut others, mut equations) = (Vec::new(), Vec::new(), Vec::new());
         for t in wanted {
             let pairs = (0..firsts.len()).flat_map(|i| (0..seconds.len()).map(move |j| (i, j)));
-            let (i, j, label) = pairs.into_iter().find_map(|(i, j)| {
-                let mean = between(&firsts[i], &seconds[j], weight);
-                let is_it = self.has_the_exponents(t, &mean);
-                is_it
-                    .then(|| self.quietly(&compare(t.clone(), Relation::Equal, mean)).ok())
-                    .flatten()
-                    .map(|l| (i, j, l))
-            })?;
-            out.0.push(firsts.remove(i));
-            out.1.push(seconds.remove(j));
-            out.2.push(label);
+            let mean_is =
+                |c: &mut Prover, i: usize, j: usize| c.has_the_exponents(t, &between(&firsts[i], &seconds[j], weight));
+            let (i, j) = pairs.into_iter().find(|&(i, j)| mean_is(self, i, j))?;
+            own.push(firsts.remove(i));
+            others.push(seconds.remove(j));
         }
-        Some(out)
+        for ((t, a), b) in wanted.iter().zip(&own).zip(&others) {
+            let equation = compare(t.clone(), Relation::Equal, between(a, b, weight));
+            // By the rules for powers it does not enter what later expressions are read with.
+            let shown = self.plainly(Rule::Power, &equation).or_else(|_| self.quietly(&equation));
+            equations.push(shown.ok()?);
+        }
+        Some((own, others, equations))
     }
 
     /// Whether two products of powers have the same bases with the same exponents, but for numbers.

@@ -88,6 +88,7 @@ const DIRECT: &[Method] = &[
     row("members in closed form", ALL, ALWAYS, Undone, |c, goal| c.by_members_in_closed_form(goal)),
     row("members of sums", ALL, ALWAYS, Kept, |c, goal| c.by_members(goal)),
     row("weighted tangents", ALL, LOUD, Undone, |c, goal| c.by_weighted_tangents(goal)),
+    row("Hölder's inequality", ORDERS, LOUD, Own, |c, goal| c.by_hoelder(goal, true)),
     row("conclusions", ALL, LOUD, Kept, |c, goal| {
         if c.conclude_at_once() { c.quietly(goal) } else { Err(Fail::No("a known premise")) }
     }),
@@ -126,7 +127,7 @@ const DIRECT: &[Method] = &[
     row("strict orders", DENIAL, ALWAYS, Kept, |c, goal| c.by_strict_order(goal)),
     row("denied equations", ALL, LOUD, Kept, |c, goal| c.by_denied_equation(goal)),
     row("weak orders", STRICT, LOUD, Own, |c, goal| c.by_weak_order(goal)),
-    row("Hölder's inequality", ORDERS, LOUD, Own, |c, goal| c.by_hoelder(goal)),
+    row("Hölder's inequality", ORDERS, LOUD, Own, |c, goal| c.by_hoelder(goal, false)),
     row("weighted means", ALL, LOUD, Kept, |c, goal| c.by_means(goal)),
     row("means", ALL, LOUD, Undone, |c, goal| c.by_means_of_many(goal)),
     // The same with variables written by others, as c = 1/(a·b) where a·b·c = 1.
