@@ -17,7 +17,7 @@
 
 use super::Prover;
 use super::asymptotic_form::{Leading, atoms, is_turning, put_for_atom, raised, total};
-use super::facts::{minus, power_of};
+use super::facts::{minus, negated, power_of};
 use super::letters::{product, whole_power};
 use super::limits::over;
 use super::taylor::{Function, Side};
@@ -201,13 +201,66 @@ impl Prover {
                 put_for_atom(&mut other, &p.atom, bound);
             }
             let lead = self.leading(&factor_of(&piece.atom, &other), x)?;
-            let rises = self.sign_of_constant(&lead.c)?.within(Signs::NOT_NEGATIVE);
-            let side = if rises { k } else { 1 - k };
-            steps.push(Step { atom: piece.atom.clone(), factor: factor_of(&piece.atom, &value), side });
+            let factor = factor_of(&piece.atom, &value);
+            let Some(signs) = self.sign_of_constant(&lead.c) else {
+                // Of a factor of either sign, what is positive takes one bound and what is negative the other.
+                let (Some(near), Some(far)) = (&piece.bounds[k], &piece.bounds[1 - k]) else { return Some(None) };
+                let [up, down] = self.rising_and_falling(&piece.atom, &value, x)?;
+                put_for_atom(&mut value, &piece.atom, &numeral(0));
+                let parts =
+                    [product(vec![up.clone(), near.clone()]), negated(product(vec![down.clone(), far.clone()]))];
+                value = total(&[vec![value], parts.to_vec()].concat());
+                let both = [(up, k), (negated(down), 1 - k)];
+                steps.extend(both.map(|(factor, side)| Step { atom: piece.atom.clone(), factor, side }));
+                continue;
+            };
+            let side = if signs.within(Signs::NOT_NEGATIVE) { k } else { 1 - k };
+            steps.push(Step { atom: piece.atom.clone(), factor, side });
             let Some(bound) = &piece.bounds[side] else { return Some(None) };
             put_for_atom(&mut value, &piece.atom, bound);
         }
         Some(Some(Bound { value, steps }))
+    }
+
+    /// Two sums of powers of x, neither of them negative, whose difference is the factor of an atom in an expression that is linear
+    /// in it: c of either sign is ((c + 1)/2)² − ((c − 1)/2)².
+    fn rising_and_falling(&mut self, atom: &Expr, e: &Expr, x: &str) -> Option<[Expr; 2]> {
+        let factor = factor_of(atom, e);
+        if !self.is_zero(&minus(&factor, &rise(atom, e, 0))) {
+            return None;
+        }
+        let reading = self.read(&factor, false)?;
+        let (mut top, mut bottom) = (Polynomial::constant(reading.number.clone()), Vec::new());
+        for f in &reading.factors {
+            match u32::try_from(f.power) {
+                Ok(power) => top = top.try_mul(&f.poly.pow(power).ok()?).ok()?,
+                Err(_) => bottom.push(whole_power(self.letters.written(&f.poly), -f.power)),
+            }
+        }
+        let divisor = product(bottom);
+        let divides = self.sign_of_constant(&divisor)?;
+        let mut sides = [Vec::new(), Vec::new()];
+        for (monomial, c) in top.terms() {
+            let (_, rest, power) = self.apart(monomial, x)?;
+            let mut c = self.letters.written(&Polynomial::term(rest, c.clone()));
+            if !divides.within(Signs::POSITIVE) {
+                c = negated(c);
+            }
+            let quarter = |sign: i64| {
+                let whole = whole_power(total(&[c.clone(), literal(&Rational::from(sign))]), 2);
+                product(vec![literal(&Rational::from_unsigneds(1u32, 4)), whole])
+            };
+            let parts = match Side::of(self.signs_of(&c)) {
+                Side::Above => [Some(c), None],
+                Side::Below => [None, Some(negated(c))],
+                Side::Both => [Some(quarter(1)), Some(quarter(-1))],
+            };
+            for (side, part) in sides.iter_mut().zip(parts) {
+                side.extend(part.map(|c| product(vec![c, power.clone()])));
+            }
+        }
+        let size = if divides.within(Signs::POSITIVE) { divisor } else { negated(divisor) };
+        Some(sides.map(|list| over(total(&list), size.clone())))
     }
 
     pub(super) fn tends(&mut self, e: &Expr, x: &str) -> Tends {
@@ -481,12 +534,17 @@ impl Bound {
 
 /// What an atom is multiplied with, in an expression that is linear in it.
 fn factor_of(atom: &Expr, e: &Expr) -> Expr {
+    rise(atom, e, 1)
+}
+
+/// How much an expression rises as an atom in it goes from a number to the next.
+fn rise(atom: &Expr, e: &Expr, from: u32) -> Expr {
     let with = |value: u32| {
         let mut e = e.clone();
         put_for_atom(&mut e, atom, &numeral(value));
         e
     };
-    minus(&with(2), &with(1))
+    minus(&with(from + 1), &with(from))
 }
 
 /// ±e/j.
