@@ -8,6 +8,7 @@ use super::slopes::put_in;
 use super::sums::replace;
 use super::{Fail, Prover};
 use crate::certificate::{Label, Rule, Term};
+use crate::claim::definedness::{Need, needs};
 use crate::claim::syntax::*;
 use crate::kernel::order::Signs;
 use crate::kernel::statement::{compare, expr, name, numeral, power, prop};
@@ -114,10 +115,27 @@ impl Prover {
     fn have_values_between(&mut self, [from, to]: [&Expr; 2], x: &str, exprs: [&Expr; 2]) -> bool {
         let ends = Constraint::Interval { from: from.clone(), from_closed: true, to: to.clone(), to_closed: true };
         let binding = Binding::of(Name::new(x), false, vec![ends]);
-        let itself = |e: &Expr| compare(e.clone(), Relation::Equal, e.clone());
-        let every = |e: &Expr| prop(PropKind::ForAll(vec![binding.clone()], Box::new(itself(e))));
-        let is_new = |e: &&Expr| self.known(&every(e)).is_none() && self.quietly(&every(e)).is_ok();
-        exprs.into_iter().filter(is_new).count() > 0
+        let every = |p: Prop| prop(PropKind::ForAll(vec![binding.clone()], Box::new(p)));
+        // What stands under roots is to be positive, of which the kernel does not learn by a root.
+        let mut inside = Vec::new();
+        exprs.iter().for_each(|e| under_roots(e, x, &mut inside));
+        let positive = inside.into_iter().map(|e| every(compare(e, Relation::Greater, numeral(0))));
+        let itself = exprs.map(|e| every(compare(e.clone(), Relation::Equal, e.clone())));
+        let mut is_new =
+            |p: &Prop| self.known(p).is_none() && self.quietly(p).or_else(|_| self.without_cases(p)).is_ok();
+        positive.collect::<Vec<_>>().iter().chain(&itself).filter(|p| is_new(p)).count() > 0
+    }
+
+    /// Shows that what stands under the roots of an expression is positive, between the ends of an integral.
+    fn positive_under_roots(&mut self, e: &Expr, x: &str) {
+        let mut inside = Vec::new();
+        under_roots(e, x, &mut inside);
+        for e in inside {
+            if !self.signs_of(&e).within(Signs::POSITIVE) {
+                let positive = compare(e, Relation::Greater, numeral(0));
+                let _ = self.quietly(&positive).or_else(|_| self.without_cases(&positive));
+            }
+        }
     }
 
     /// F(b) − F(a) relation integral(x = a..b, f), from F′ relation f, and what follows from it; F′ is given as well. Where a > b,
@@ -153,14 +171,18 @@ impl Prover {
             domains.insert(domains.len().min(1), vec![if up { between(&a, &b) } else { between(&b, &a) }]);
         }
         let own = if up { relation } else { relation.turned() };
-        let goal = compare(values, relation, over_interval(variable, x, f));
+        let goal = compare(values.clone(), relation, over_interval(variable, x, f));
         let mut shown = Err(Fail::No("an order of the ends"));
         for constraints in domains {
+            let is_between = constraints.iter().any(|c| matches!(c, Constraint::Interval { .. }));
             let binding = Binding::of(Name::new(x), false, constraints);
             shown = self.attempt(|c| {
                 let body = compare(derivative.clone(), own, f.clone());
                 let every = prop(PropKind::ForAll(vec![binding], Box::new(body.clone())));
                 let source = c.block(&every, |c, _| {
+                    if is_between {
+                        c.positive_under_roots(big_f, x);
+                    }
                     c.define(&derivative);
                     c.combination(body.clone(), Vec::new()).or_else(|_| {
                         if own == Relation::Equal {
@@ -174,6 +196,7 @@ impl Prover {
                 let rule = Rule::Slope { source, with, from: Vec::new() };
                 let label = c.emit(rule.clone(), goal.clone()).or_else(|fail| {
                     let (from, to) = if up { (&a, &b) } else { (&b, &a) };
+                    c.define(&values);
                     if !up && !down || !c.have_values_between([from, to], x, [big_f, f]) {
                         return Err(fail);
                     }
@@ -266,6 +289,19 @@ impl Prover {
         }
         Err(no())
     }
+}
+
+/// What stands under roots and holds a variable, each once.
+fn under_roots(e: &Expr, x: &str, out: &mut Vec<Expr>) {
+    for need in needs(e, &|_| false).into_iter().flatten() {
+        if let Need::NotNegative(inside) | Need::Positive(inside) = need
+            && holds(&inside, x)
+            && !out.contains(&inside)
+        {
+            out.push(inside);
+        }
+    }
+    crate::claim::walk::parts(e, &mut |part| under_roots(part, x, out));
 }
 
 /// The terms of a sum with the factors before them; what is no integral may keep its own.
