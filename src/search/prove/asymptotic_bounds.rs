@@ -439,10 +439,15 @@ impl Prover {
             if !self.is_zero(&s) && lead.exponent >= 0 {
                 return None;
             }
-            let side = Side::of(self.signs_of(&lead.c));
+            let mut side = Side::of(self.signs_of(&lead.c));
             // A remainder of odd degree changes its sign.
             if plan.degree.is_multiple_of(2) && side == Side::Both {
                 return None;
+            }
+            let small = self.small(s.clone(), &plan.x)?;
+            // Where terms of other signs stand behind the first, its sign is that of the whole from some number on only.
+            if !plan.degree.is_multiple_of(2) && small.terms.iter().any(|term| term.side == Side::Both) {
+                side = Side::Both;
             }
             let value = match function.centre() {
                 0 => s.clone(),
@@ -450,9 +455,8 @@ impl Prover {
             };
             piece.bounds[k] = Some(piece.whole(&function.bound(&s, plan.degree, k == 1, side)));
             let lemma = plan.lemma(&function, side, k == 1);
-            let (at, small) = (Bound { value, steps: end.steps.clone() }, plan.small.len());
-            piece.reasons[k] = Some(Reason::Expansion { lemma, at, small });
-            let small = self.small(s, &plan.x)?;
+            let (at, place) = (Bound { value, steps: end.steps.clone() }, plan.small.len());
+            piece.reasons[k] = Some(Reason::Expansion { lemma, at, small: place });
             plan.small.push(small);
         }
         Some(())

@@ -442,12 +442,20 @@ impl Prover {
 
     /// Runs a method with half of the steps and of the time that are left, so that another can follow.
     fn with_half<T>(&mut self, run: impl FnOnce(&mut Self) -> Result<T, Fail>) -> Result<T, Fail> {
-        let (most, deadline) = (self.most_tries, self.deadline);
+        let most = self.most_tries;
         self.most_tries -= most.saturating_sub(self.tries) / 2;
+        let result = self.with_half_of_the_time(run);
+        self.most_tries = most;
+        result
+    }
+
+    /// Runs a method with half of the time that is left.
+    fn with_half_of_the_time<T>(&mut self, run: impl FnOnce(&mut Self) -> Result<T, Fail>) -> Result<T, Fail> {
+        let deadline = self.deadline;
         self.deadline = within(deadline, 2);
         self.checker.watched_by(until(self.deadline));
         let result = self.attempt(run);
-        (self.most_tries, self.deadline) = (most, deadline);
+        self.deadline = deadline;
         self.checker.watched_by(until(deadline));
         result
     }
