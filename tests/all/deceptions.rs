@@ -88,6 +88,7 @@ const DECIDED: &[&str] = &[
     "extrema-with-roots",
     "members-in-closed-form",
     "powers-of-sums",
+    "values-at-means",
 ];
 
 /// What a procedure decided is not lost in silence, and what is true is never refuted.

@@ -221,7 +221,7 @@ fn holds_member(e: &Expr, sequence: &str) -> bool {
 }
 
 /// The terms of a sum of sums.
-fn terms_of(e: &Expr, sign: Sign, out: &mut Vec<(Sign, Expr)>) {
+pub(super) fn terms_of(e: &Expr, sign: Sign, out: &mut Vec<(Sign, Expr)>) {
     let turned = |own| if own == sign { Sign::Plus } else { Sign::Minus };
     match &e.kind {
         ExprKind::Sum(list) => list.iter().for_each(|(own, e)| terms_of(e, turned(*own), out)),

@@ -187,7 +187,7 @@ impl Prover {
     }
 
     /// Substitutes the equations that give a member at a numeral: `u(0) = 1`.
-    fn put_in_first_members(&mut self) {
+    pub(super) fn put_in_first_members(&mut self) {
         let is_member = |e: &Expr| match &e.kind {
             ExprKind::Apply(f, at) => at.iter().all(|e| super::letters::natural(e).is_some()) && !is_built_in(&f.text),
             _ => false,

@@ -128,6 +128,7 @@ const DIRECT: &[Method] = &[
     row("denied equations", ALL, LOUD, Kept, |c, goal| c.by_denied_equation(goal)),
     row("weak orders", STRICT, LOUD, Own, |c, goal| c.by_weak_order(goal)),
     row("Hölder's inequality", ORDERS, LOUD, Own, |c, goal| c.by_hoelder(goal, false)),
+    row("values at means", ORDERS, LOUD, Own, |c, goal| c.by_jensen(goal)),
     row("weighted means", ALL, LOUD, Kept, |c, goal| c.by_means(goal)),
     row("means", ALL, LOUD, Undone, |c, goal| c.by_means_of_many(goal)),
     // The same with variables written by others, as c = 1/(a·b) where a·b·c = 1.
@@ -166,6 +167,9 @@ const IN_PARTS: &[Method] = &[
     row("absolute values", ALL, FEW, Kept, |c, goal| c.by_absolute_values(goal)),
     row("signs of divisors", ALL, ALWAYS, Undone, |c, goal| c.by_signs_of_divisors(goal)),
     row("induction", ALL, ALWAYS, Kept, |c, goal| c.within_inductions(false, |c| c.by_induction(goal))),
+    row("strengthened inductions", ORDERS, 1, Own, |c, goal| c.by_strengthened_induction(goal)),
+    row("points of circles", ORDERS, FEW, Own, |c, goal| c.by_points_of_circles(goal)),
+    row("invariants", ALL, 1, Own, |c, goal| c.by_invariants(goal)),
     row("cases", ALL, FEW, Kept, |c, goal| c.by_cases(goal)),
     row("induction", ALL, ALWAYS, Kept, |c, goal| c.within_inductions(true, |c| c.by_induction(goal))),
     row("remainders", ALL, 1, Kept, |c, goal| {

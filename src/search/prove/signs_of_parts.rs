@@ -127,6 +127,17 @@ impl Prover {
         }
     }
 
+    /// Shows an order by the bounds of the coordinates of points on circles that it holds.
+    pub(super) fn by_points_of_circles(&mut self, goal: &Prop) -> Result<Label, Fail> {
+        let is_met = |text: &str| matches!(&goal.kind, PropKind::Compare(sides, _) if sides.iter().any(|e| super::limits::holds(e, text)));
+        let points: Vec<(String, String)> = self.facts().iter().filter_map(|(_, fact)| point_of_circle(fact)).collect();
+        if !points.iter().any(|(x, y)| is_met(x) || is_met(y)) {
+            return Err(Fail::No("a coordinate of a point on a circle"));
+        }
+        self.bound_points_of_circles();
+        self.without_cases(goal)
+    }
+
     /// The equation by which a name squared is written by another one, the coordinates of a point on a circle; of two coordinates one.
     pub(super) fn square_on_circle(&mut self, e: &Expr) -> Option<(Label, Prop)> {
         let ExprKind::Name(text) = &e.kind else { return None };
