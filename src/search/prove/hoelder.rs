@@ -28,7 +28,7 @@ use malachite::Rational;
 const TERMS: usize = 6;
 
 /// A power of a sum that is costly to multiply out is above this.
-const HIGH: u64 = 4;
+const HIGH: u64 = 10;
 
 /// A comparison of powers of sums.
 struct Powers {
