@@ -95,10 +95,11 @@ const DECIDED: &[&str] = &[
 #[test]
 fn no_truth_is_refuted_and_those_of_a_procedures_kind_are_proved() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/truths");
-    let (mut lost, mut refuted, mut count) = (Vec::new(), Vec::new(), 0);
+    let (mut lost, mut refuted, mut count, mut kinds) = (Vec::new(), Vec::new(), 0, 0);
     for entry in fs::read_dir(folder).unwrap() {
         let path = entry.unwrap().path();
         let is_decided = DECIDED.contains(&path.file_stem().unwrap().to_str().unwrap());
+        kinds += usize::from(is_decided);
         // Where no proof is asked for, there is less time for a refutation.
         let limits = Limits { time: Duration::from_secs(if is_decided { 20 } else { 1 }), ..Limits::default() };
         for claim in sample(claims(&fs::read_to_string(path).unwrap())) {
@@ -111,6 +112,7 @@ fn no_truth_is_refuted_and_those_of_a_procedures_kind_are_proved() {
             }
         }
     }
+    assert_eq!(kinds, DECIDED.len(), "a file is missing");
     assert!(refuted.is_empty(), "true, and refuted: {refuted:?}");
     assert!(lost.is_empty(), "undecided: {lost:?}");
     assert!(count >= at_least(400), "{count}");

@@ -8,7 +8,7 @@
 //! Limits: [`SEQUENCES`].
 
 use super::facts::minus;
-use super::letters::{product, total};
+use super::letters::{product, summands_of, total};
 use super::limits::{holds, over, plus};
 use super::slopes::put_in;
 use super::{Fail, Prover};
@@ -101,7 +101,7 @@ impl Prover {
     /// u(0) + b(0) + … + b(k − 1) in closed form, where the step adds b.
     fn summed(&mut self, u: &Sequence, k: &str) -> Option<Expr> {
         let mut terms = Vec::new();
-        terms_of(&u.step, Sign::Plus, &mut terms);
+        summands_of(&u.step, Sign::Plus, &mut terms);
         let own = key::expr(&apply(&u.name, name(&u.index)));
         let place = terms.iter().position(|(sign, e)| *sign == Sign::Plus && key::expr(e) == own)?;
         terms.remove(place);
@@ -218,16 +218,6 @@ fn holds_member(e: &Expr, sequence: &str) -> bool {
     let mut found = is_member(e, sequence);
     parts(e, &mut |part| found |= holds_member(part, sequence));
     found
-}
-
-/// The terms of a sum of sums.
-pub(super) fn terms_of(e: &Expr, sign: Sign, out: &mut Vec<(Sign, Expr)>) {
-    let turned = |own| if own == sign { Sign::Plus } else { Sign::Minus };
-    match &e.kind {
-        ExprKind::Sum(list) => list.iter().for_each(|(own, e)| terms_of(e, turned(*own), out)),
-        ExprKind::Negate(inner) => terms_of(inner, turned(Sign::Minus), out),
-        _ => out.push((sign, e.clone())),
-    }
 }
 
 /// A step as a·u(k) + b, with no b where there is none: a and b hold neither the index nor a member.

@@ -6,7 +6,7 @@ use super::{Fail, Prover, implies};
 use crate::certificate::{Label, Rule};
 use crate::claim::syntax::*;
 use crate::kernel::order::Signs;
-use crate::kernel::statement::{compare, domain, numeral, prop};
+use crate::kernel::statement::{compare, domain, name, numeral, prop};
 use crate::kernel::substitution::Substitution;
 use crate::refute::literal::literal;
 use crate::refute::sample::example;
@@ -326,6 +326,19 @@ impl Prover {
             factors.push(super::letters::whole_power(self.letters.written(&f.poly), f.power));
         }
         Some(product(factors))
+    }
+
+    /// Runs something in a block in which a name is bound; no step of it is kept.
+    pub(super) fn where_it_is_bound(&mut self, binding: Binding, run: impl FnOnce(&mut Self)) {
+        let own = name(&binding.names[0].0.text);
+        let itself = compare(own.clone(), Relation::Equal, own);
+        let every = prop(PropKind::ForAll(vec![binding], Box::new(itself)));
+        let _ = self.attempt(|c| {
+            c.block(&every, |c, _| {
+                run(c);
+                Err(Fail::No("nothing to show"))
+            })
+        });
     }
 
     /// An instance of a `for all` fact with one variable.

@@ -9,6 +9,7 @@
 
 use super::comparison::single;
 use super::facts::minus;
+use super::instances::members_in;
 use super::letters::{product, total, whole_power};
 use super::limits::plus;
 use super::slopes::put_in;
@@ -16,7 +17,6 @@ use super::sums::replace;
 use super::{Fail, Prover};
 use crate::certificate::Label;
 use crate::claim::syntax::*;
-use crate::claim::walk::parts;
 use crate::kernel::key;
 use crate::kernel::statement::{apply, compare, name, numeral, power, prop};
 
@@ -40,8 +40,7 @@ impl Prover {
         }
         let mut sides = Vec::new();
         super::goals::sides_in(goal, &mut sides);
-        let mut members = Vec::new();
-        sides.iter().for_each(|e| self.members_met(e, &mut members));
+        let members = members_met(&sides);
         if members.is_empty() {
             return Err(no());
         }
@@ -65,35 +64,6 @@ impl Prover {
         self.comparison_or_parts(goal)
     }
 
-    /// The members of families and sequences at an index that is no number, each index with the name.
-    pub(super) fn members_met(&self, e: &Expr, out: &mut Vec<(String, Expr)>) {
-        if let ExprKind::Apply(u, at) = &e.kind
-            && let [index] = at.as_slice()
-            && !is_built_in(&u.text)
-            && !matches!(index.kind, ExprKind::Number(_))
-        {
-            let index = match &index.kind {
-                // That of u(n + 1) is n.
-                ExprKind::Sum(list)
-                    if matches!(
-                        list.as_slice(),
-                        [
-                            (Sign::Plus, Expr { kind: ExprKind::Name(_), .. }),
-                            (Sign::Plus, Expr { kind: ExprKind::Number(_), .. })
-                        ]
-                    ) =>
-                {
-                    list[0].1.clone()
-                }
-                _ => index.clone(),
-            };
-            if !out.iter().any(|(v, old)| *v == u.text && key::expr(old) == key::expr(&index)) {
-                out.push((u.text.clone(), index));
-            }
-        }
-        parts(e, &mut |part| self.members_met(part, out));
-    }
-
     /// The recurrences of two numbers that facts state for all natural numbers.
     fn recurrences_of_pairs(&self) -> Vec<Pair> {
         let mut steps: Vec<(String, u32, String, Expr)> = Vec::new();
@@ -106,7 +76,10 @@ impl Prover {
             };
             let Some((left, Relation::Equal, right)) = body.single() else { continue };
             let ExprKind::Apply(u, at) = &left.kind else { continue };
-            let Some(later) = at.first().and_then(|at| shift(at, &k.text)) else { continue };
+            let Some((n, later)) = at.first().and_then(shifted) else { continue };
+            if n != k.text {
+                continue;
+            }
             steps.push((u.text.clone(), later, k.text.clone(), right.clone()));
         }
         let mut out = Vec::new();
@@ -138,14 +111,12 @@ impl Prover {
             e
         };
         let mut matrix = Vec::new();
-        self.where_it_is_a_name(k, |c| {
+        self.where_it_is_bound(index_of(k), |c| {
             for e in next {
                 let row = [own(e, [1, 0]), own(e, [0, 1])].map(|e| c.simplified(&e).unwrap_or(e));
-                let mut met = Vec::new();
-                row.iter().for_each(|e| c.members_met(e, &mut met));
                 let terms = row.iter().zip(at).map(|(c, x)| (Sign::Plus, product(vec![c.clone(), x.clone()])));
                 let is_linear = c.is_zero(&minus(e, &total(terms.collect())));
-                if met.is_empty() && row.iter().all(|e| !super::limits::holds(e, k)) && is_linear {
+                if members_met(&row).is_empty() && row.iter().all(|e| !super::limits::holds(e, k)) && is_linear {
                     matrix.extend(row);
                 }
             }
@@ -153,22 +124,10 @@ impl Prover {
         if matrix.len() == 4 { Ok(matrix) } else { Err(no()) }
     }
 
-    /// Runs something in a block in which k is a natural number; no step of it is kept.
-    fn where_it_is_a_name(&mut self, k: &str, run: impl FnOnce(&mut Self)) {
-        let itself = compare(name(k), Relation::Equal, name(k));
-        let every = prop(PropKind::ForAll(vec![Binding::of(Name::new(k), true, Vec::new())], Box::new(itself)));
-        let _ = self.attempt(|c| {
-            c.block(&every, |c, _| {
-                run(c);
-                Err(Fail::No("nothing to show"))
-            })
-        });
-    }
-
     /// A form without the factors that hold no member, which may be 0.
     fn without_common_factors(&mut self, k: &str, form: &Expr) -> Option<Expr> {
         let mut out = None;
-        self.where_it_is_a_name(k, |c| {
+        self.where_it_is_bound(index_of(k), |c| {
             let Some(reading) = c.read(form, false) else { return };
             let own = reading.factors.iter().map(|f| whole_power(c.letters.written(&f.poly), f.power));
             let own: Vec<Expr> = own.filter(|e| super::limits::holds(e, k)).collect();
@@ -199,7 +158,7 @@ impl Prover {
         let is_kept = self.quietly(&compare(factor.clone(), Relation::Equal, numeral(1))).is_ok();
         let value = if is_kept { first } else { product(vec![power(&factor, &name(&k)), first]) };
         let body = compare(form, Relation::Equal, value);
-        let every = prop(PropKind::ForAll(vec![Binding::of(Name::new(&k), true, Vec::new())], Box::new(body)));
+        let every = prop(PropKind::ForAll(vec![index_of(&k)], Box::new(body)));
         if self.known(&every).is_some() {
             return Err(Fail::No("a new invariant"));
         }
@@ -207,12 +166,31 @@ impl Prover {
     }
 }
 
-/// By how much an index is later than a name.
-fn shift(e: &Expr, k: &str) -> Option<u32> {
-    let ExprKind::Sum(list) = &e.kind else { return None };
+/// A natural number.
+fn index_of(k: &str) -> Binding {
+    Binding::of(Name::new(k), true, Vec::new())
+}
+
+/// The members of families and sequences at an index that is no number, each once; that of u(n + 1) is n.
+pub(super) fn members_met(exprs: &[Expr]) -> Vec<(String, Expr)> {
+    let mut all = Vec::new();
+    exprs.iter().for_each(|e| members_in(e, &mut all));
+    let mut out: Vec<(String, Expr)> = Vec::new();
+    for (u, at) in all.into_iter().filter(|(_, at)| !matches!(at.kind, ExprKind::Number(_))) {
+        let index = shifted(&at).map_or_else(|| at.clone(), |(n, _)| name(n));
+        if !out.iter().any(|(v, old)| *v == u && key::expr(old) == key::expr(&index)) {
+            out.push((u, index));
+        }
+    }
+    out
+}
+
+/// A name and by how much an index is later.
+fn shifted(index: &Expr) -> Option<(&str, u32)> {
+    let ExprKind::Sum(list) = &index.kind else { return None };
     match list.as_slice() {
-        [(Sign::Plus, Expr { kind: ExprKind::Name(n), .. }), (Sign::Plus, later)] if n == k => {
-            super::letters::natural(later)
+        [(Sign::Plus, Expr { kind: ExprKind::Name(n), .. }), (Sign::Plus, later)] => {
+            Some((n, super::letters::natural(later)?))
         }
         _ => None,
     }

@@ -10,16 +10,15 @@
 //!
 //! Limits: [`TERMS`] and [`WAYS`]. Sums over an index are left to `members`, powers of sums to `hoelder`.
 
-use super::closed_members::terms_of;
 use super::comparison::single;
-use super::facts::{minus, scaled};
-use super::letters::{product, total, whole_power};
+use super::facts::{minus, negated, scaled};
+use super::letters::{product, summands_of, total, whole_power};
 use super::limits::plus;
 use super::slopes::put_in;
-use super::sums::replace;
+use super::sums::{occurs, replace};
 use super::{Fail, Prover, implies};
 use crate::algebra::{Monomial, Polynomial};
-use crate::certificate::Label;
+use crate::certificate::{Label, Rule};
 use crate::claim::syntax::*;
 use crate::claim::walk::parts;
 use crate::kernel::key;
@@ -62,7 +61,7 @@ impl Prover {
         let up = relation.is_greater().ok_or_else(no)?;
         // greater − less.
         let mut terms = Vec::new();
-        terms_of(&if up { minus(a, b) } else { minus(b, a) }, Sign::Plus, &mut terms);
+        summands_of(&if up { minus(a, b) } else { minus(b, a) }, Sign::Plus, &mut terms);
         let mut sums = Vec::new();
         terms.iter().for_each(|(_, e)| inner_sums(e, false, &mut sums));
         if sums.is_empty() || sums.len() > SUMS || terms.len() < 2 {
@@ -75,7 +74,7 @@ impl Prover {
     fn by_means_in(&mut self, goal: &Prop, terms: &[(Sign, Expr)], sums: &[Expr]) -> Result<Label, Fail> {
         let no = || Fail::No("the mean of the values of a function");
         for sum in sums {
-            let (own, others): (Vec<_>, Vec<_>) = terms.iter().cloned().partition(|(_, e)| contains(e, sum));
+            let (own, others): (Vec<_>, Vec<_>) = terms.iter().cloned().partition(|(_, e)| occurs(sum, e));
             if others.is_empty() {
                 continue;
             }
@@ -127,7 +126,7 @@ impl Prover {
                 }
             }
             let up = relation.is_greater() == Some(true);
-            let sign = if up == f.is_convex { weight.clone() } else { super::facts::negated(weight.clone()) };
+            let sign = if up == f.is_convex { weight.clone() } else { negated(weight.clone()) };
             terms.push(scaled(&label, sign));
         }
         self.combination(goal.clone(), terms)
@@ -172,7 +171,7 @@ impl Prover {
                 })?);
             }
         }
-        self.emit(crate::certificate::Rule::Logic { from }, goal)
+        self.emit(Rule::Logic { from }, goal)
     }
 
     /// The bounds that facts give all values of a mean: by a fact about the first that is one about the others as well, or by signs.
@@ -241,15 +240,8 @@ impl Prover {
     /// The derivative of a function where its variable has another name, written out.
     fn slope_at(&mut self, f: &Function, at: &str, binding: Binding) -> Result<Expr, Fail> {
         let derivative = expr(ExprKind::Derivative(Box::new(f.at(&name(at))?), vec![Name::new(at)]));
-        let itself = compare(name(at), Relation::Equal, name(at));
-        let every = prop(PropKind::ForAll(vec![binding], Box::new(itself)));
         let mut slope = None;
-        let _ = self.attempt(|c| {
-            c.block(&every, |c, _| {
-                slope = c.simplified(&derivative);
-                Err(Fail::No("the derivative alone"))
-            })
-        });
+        self.where_it_is_bound(binding, |c| slope = c.simplified(&derivative));
         slope.ok_or(Fail::No("a derivative"))
     }
 
@@ -285,11 +277,8 @@ impl Prover {
                 let own = monomials.iter().zip(&way).filter(|(_, v)| **v == value);
                 let mut weight = Polynomial::zero();
                 for ((m, c), _) in own {
-                    let left = m.powers().iter().filter(|(v, _)| Some(*v) != value);
-                    let left = left.fold(Polynomial::constant(c.clone()), |p, (v, k)| {
-                        (0..*k).fold(p, |p, _| p.mul(&Polynomial::variable(*v)))
-                    });
-                    weight = weight.add(&left);
+                    let rest = value.map_or_else(|| m.clone(), |v| m.without(v).0);
+                    weight = weight.add(&Polynomial::term(rest, c.clone()));
                 }
                 let x = value.and_then(|v| self.letters.expr(v).cloned()).unwrap_or_else(|| numeral(1));
                 let parts = beside.iter().cloned().chain([self.letters.written(&weight)]).collect();
@@ -356,11 +345,4 @@ fn inner_sums(e: &Expr, is_inner: bool, out: &mut Vec<Expr>) {
         out.push(e.clone());
     }
     parts(e, &mut |part| inner_sums(part, true, out));
-}
-
-/// Whether an expression holds another.
-fn contains(e: &Expr, part: &Expr) -> bool {
-    let mut found = key::expr(e) == key::expr(part);
-    parts(e, &mut |inner| found |= contains(inner, part));
-    found
 }

@@ -58,6 +58,16 @@ pub(super) fn total(mut terms: Vec<(Sign, Expr)>) -> Expr {
     }
 }
 
+/// The summands of an expression as they are written, sums of sums taken apart, with their signs.
+pub(super) fn summands_of(e: &Expr, sign: Sign, out: &mut Vec<(Sign, Expr)>) {
+    let turned = |own| if own == sign { Sign::Plus } else { Sign::Minus };
+    match &e.kind {
+        ExprKind::Sum(list) => list.iter().for_each(|(own, e)| summands_of(e, turned(*own), out)),
+        ExprKind::Negate(inner) => summands_of(inner, turned(Sign::Minus), out),
+        _ => out.push((sign, e.clone())),
+    }
+}
+
 /// The base and exponent of a power; a root has the exponent 1/2 or 1/3.
 pub(crate) fn as_power(e: &Expr) -> Option<(Expr, Expr)> {
     match &e.kind {

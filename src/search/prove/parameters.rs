@@ -1,11 +1,11 @@
 //! Limits that depend on parameters: the members of a sequence by their closed form, and parameters of any sign case by case.
 
 use super::limits::holds;
+use super::sums::occurs;
 use super::{Fail, Prover, implies};
 use crate::certificate::{Label, Rule};
 use crate::claim::syntax::*;
 use crate::claim::walk::parts;
-use crate::kernel::key;
 use crate::kernel::names::names_in;
 use crate::kernel::order::Signs;
 use crate::kernel::statement::{apply, compare, name, numeral};
@@ -23,7 +23,7 @@ impl Prover {
         let (mut closed, mut facts) = (l.of.clone(), Vec::new());
         for sequence in self.checker.statement().sequences.clone() {
             let member = |at: Expr| apply(&sequence.name, at);
-            if !mentions(&closed, &member(n.clone())) {
+            if !occurs(&member(n.clone()), &closed) {
                 continue;
             }
             let value = self.member_at(&sequence, &n).ok_or_else(no)?;
@@ -79,7 +79,7 @@ impl Prover {
         let factor = self.constant_of_any_sign(&l.of, &l.variable.text);
         let beside = names.iter().find(|n| !holds(&l.value, n) && is_open(self, n)).cloned();
         let is_beside = match &factor {
-            Some(factor) => !mentions(&l.value, factor),
+            Some(factor) => !occurs(factor, &l.value),
             None => beside.is_some(),
         };
         let in_a_base = |n: &&String| raised.iter().any(|(base, _)| holds(base, n));
@@ -113,11 +113,4 @@ impl Prover {
         self.parameters -= 1;
         self.emit(Rule::Logic { from }, goal.clone())
     }
-}
-
-/// Whether an expression occurs in another.
-fn mentions(e: &Expr, part: &Expr) -> bool {
-    let mut found = key::expr(e) == key::expr(part);
-    parts(e, &mut |e| found |= mentions(e, part));
-    found
 }

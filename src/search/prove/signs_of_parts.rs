@@ -5,8 +5,9 @@
 //! square is a factor, it is enough for a strict order that its base is not 0. A point of a circle, c² + s² = 1, has coordinates
 //! between −1 and 1, which bound what is linear in them.
 
+use super::comparison::single;
 use super::facts::{is_settled, minus};
-use super::letters::{product, whole_power};
+use super::letters::{product, summands_of, whole_power};
 use super::products::Kind;
 use super::{Fail, Prover};
 use crate::certificate::{Label, Rule, Term};
@@ -31,9 +32,10 @@ impl Prover {
             return Err(Fail::No("an order"));
         };
         let mut summands = Vec::new();
-        summands_of(a, false, &mut summands);
-        summands_of(b, true, &mut summands);
-        let terms = summands.into_iter().map(|factor| Term { facts: Vec::new(), factor }).collect();
+        summands_of(a, Sign::Plus, &mut summands);
+        summands_of(b, Sign::Minus, &mut summands);
+        let signed = |(sign, e)| if sign == Sign::Plus { e } else { expr(ExprKind::Negate(Box::new(e))) };
+        let terms = summands.into_iter().map(|s| Term { facts: Vec::new(), factor: signed(s) }).collect();
         self.emit(Rule::Combination { times: None, terms }, goal.clone())
     }
 
@@ -129,7 +131,8 @@ impl Prover {
 
     /// Shows an order by the bounds of the coordinates of points on circles that it holds.
     pub(super) fn by_points_of_circles(&mut self, goal: &Prop) -> Result<Label, Fail> {
-        let is_met = |text: &str| matches!(&goal.kind, PropKind::Compare(sides, _) if sides.iter().any(|e| super::limits::holds(e, text)));
+        let (a, _, b) = single(goal)?;
+        let is_met = |text: &str| super::limits::holds(a, text) || super::limits::holds(b, text);
         let points: Vec<(String, String)> = self.facts().iter().filter_map(|(_, fact)| point_of_circle(fact)).collect();
         if !points.iter().any(|(x, y)| is_met(x) || is_met(y)) {
             return Err(Fail::No("a coordinate of a point on a circle"));
@@ -162,16 +165,4 @@ fn point_of_circle(p: &Prop) -> Option<(String, String)> {
         _ => None,
     };
     Some((base(x)?, base(y)?)).filter(|_| super::letters::natural(one) == Some(1))
-}
-
-/// The summands of an expression as they are written.
-fn summands_of(e: &Expr, negative: bool, out: &mut Vec<Expr>) {
-    match &e.kind {
-        ExprKind::Sum(list) => {
-            list.iter().for_each(|(sign, e)| summands_of(e, negative != (*sign == Sign::Minus), out))
-        }
-        ExprKind::Negate(e) => summands_of(e, !negative, out),
-        _ if negative => out.push(expr(ExprKind::Negate(Box::new(e.clone())))),
-        _ => out.push(e.clone()),
-    }
 }

@@ -9,6 +9,7 @@
 //! Limits: [`SEQUENCES`], [`ROUNDS`].
 
 use super::comparison::single;
+use super::invariants::members_met;
 use super::limits::plus;
 use super::values::at_next;
 use super::{Fail, Prover, implies, put};
@@ -36,8 +37,7 @@ impl Prover {
         }
         let mut sides = Vec::new();
         super::goals::sides_in(goal, &mut sides);
-        let mut members = Vec::new();
-        sides.iter().for_each(|e| self.members_met(e, &mut members));
+        let members = members_met(&sides);
         let Some((_, Expr { kind: ExprKind::Name(n), .. })) = members.first().cloned() else { return Err(no()) };
         let mut sequences: Vec<String> = members.into_iter().map(|(u, _)| u).collect();
         sequences.dedup();

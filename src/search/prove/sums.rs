@@ -240,6 +240,16 @@ fn sums_to(e: &Expr, variable: &str, out: &mut Vec<Expr>) {
     parts(e, &mut |part| sums_to(part, variable, out));
 }
 
+/// Whether an expression occurs in another.
+pub(super) fn occurs(part: &Expr, e: &Expr) -> bool {
+    fn within(key: &str, e: &Expr) -> bool {
+        let mut found = key::expr(e) == key;
+        parts(e, &mut |part| found |= within(key, part));
+        found
+    }
+    within(&key::expr(part), e)
+}
+
 /// Puts a value in the place of an expression.
 pub(super) fn replace(e: &mut Expr, old: &Expr, value: &Expr) {
     if key::expr(e) == key::expr(old) {

@@ -380,13 +380,7 @@ impl Prover {
 fn stands_alone(sides: &[Expr]) -> bool {
     let [left, right] = sides else { return false };
     let ExprKind::Apply(f, list) = &left.kind else { return false };
-    let (is_member, key) = (list.len() == 1 && !is_built_in(&f.text), crate::kernel::key::expr(left));
-    fn occurs(key: &str, e: &Expr) -> bool {
-        let mut found = crate::kernel::key::expr(e) == key;
-        crate::refute::expand::parts(e, &mut |part| found |= occurs(key, part));
-        found
-    }
-    is_member && !occurs(&key, right)
+    list.len() == 1 && !is_built_in(&f.text) && !super::sums::occurs(left, right)
 }
 
 /// The d-th root of a positive number, rounded down to six places, and whether it is exact.
