@@ -7,6 +7,9 @@
 //! Roots are whole roots of whole numbers. exp is its series at q/2^k, squared k times; ln is that of artanh. cos and sin are their
 //! series at what is left of full turns, and π is Machin's sum. What is left of a series is bounded by a geometric one, or by its
 //! next term.
+//!
+//! Series are summed in whole numbers of units of 2^-[`PLACES`]; every quotient is cut towards 0, which loses less than a unit. The
+//! comment at each series bounds what that comes to.
 
 use super::fraction::{BITS_LIMIT, Work};
 use super::order::Signs;
@@ -21,6 +24,8 @@ pub(crate) const PRECISION: u64 = 256;
 pub(crate) const EXACT_BITS: u64 = 10_000;
 /// The largest exponent of a number other than 0, 1 and -1.
 pub(crate) const POWER_LIMIT: u32 = 1_000_000;
+/// Binary places of the terms of a series.
+const PLACES: u64 = 400;
 /// The highest root that is taken as one; higher ones are taken by ln and exp.
 pub(crate) const ROOT_LIMIT: u32 = 64;
 
@@ -39,6 +44,17 @@ fn length(q: &BigRational) -> u64 {
 fn two_to(k: i64) -> BigRational {
     let size = BigInt::one() << k.unsigned_abs();
     if k < 0 { BigRational::new(BigInt::one(), size) } else { BigRational::from_integer(size) }
+}
+
+/// A number in units of 2^-PLACES, cut towards 0.
+fn in_units(q: &BigRational) -> BigInt {
+    (q.numer() << PLACES) / q.denom()
+}
+
+/// The product of two numbers in units, cut towards 0.
+fn product_in_units(a: &BigInt, b: &BigInt) -> BigInt {
+    // A shift would cut downwards.
+    a * b / (BigInt::one() << PLACES)
 }
 
 /// The number that is not above q, or not below it, with [`PRECISION`] bits over a power of two.
@@ -199,9 +215,13 @@ impl Enclosure {
         Enclosure::between(low.low, high.high, work)
     }
 
-    /// The same, and as much more or less as 2^-k.
-    fn widened(&self, k: i64, work: &Work) -> Result<Enclosure, Refusal> {
-        Enclosure::between(&self.low - two_to(-k), &self.high + two_to(-k), work)
+    /// All numbers that differ from one in units by 2^k units at most, and by as much more as an argument is wide on which the
+    /// number depends with a slope from -1 to 1.
+    fn around(units: BigInt, k: u64, width: &BigRational, work: &Work) -> Result<Enclosure, Refusal> {
+        let unit = BigInt::one() << PLACES;
+        let (middle, error) =
+            (BigRational::new(units, unit.clone()), BigRational::new(BigInt::one() << k, unit) + width);
+        Enclosure::between(&middle - &error, middle + error, work)
     }
 }
 
@@ -241,8 +261,17 @@ fn root_of(q: &BigRational, k: u32, work: &Work) -> Result<Enclosure, Refusal> {
     Enclosure::between(low, BigRational::new(root + 1, below), work)
 }
 
+/// Counts the work of a series of so many terms, each a product and a quotient.
+fn count_series(terms: usize, work: &Work) -> Result<(), Refusal> {
+    let words = usize::try_from(PLACES / 64).unwrap_or(usize::MAX).saturating_add(1);
+    work.count(words.saturating_mul(words).saturating_mul(8).saturating_mul(terms))
+}
+
 /// e^q: Σ tⁿ/n! for t = q/2^k, |t| ≤ 1/2, squared k times. The terms behind the 60th come to less than 2^-330, for
 /// 61! > 2^277.
+///
+/// Units: t is off by less than one. If tⁿ⁻¹/(n − 1)! is off by E, the next term is off by less than (E/2 + 2)/n + 1: by 3
+/// for n = 1, and by less than 3 ever after. So 60 terms are off by less than 2^8, and with what is left by less than 2^71.
 fn exp_of(q: &BigRational, work: &Work) -> Result<Enclosure, Refusal> {
     if q.is_zero() {
         return Ok(Enclosure::integer(1));
@@ -251,15 +280,15 @@ fn exp_of(q: &BigRational, work: &Work) -> Result<Enclosure, Refusal> {
     if halvings > 18 {
         return Err(Refusal::Limit("digits"));
     }
-    let shift = i64::try_from(halvings).unwrap_or(0);
-    let t = Enclosure::exact(q.clone()).times(&Enclosure::exact(two_to(-shift)), work)?;
-    let (mut sum, mut term) = (Enclosure::integer(1), Enclosure::integer(1));
+    count_series(60, work)?;
+    let t = in_units(&(q * two_to(-i64::try_from(halvings).unwrap_or(0))));
+    let mut term = BigInt::one() << PLACES;
+    let mut sum = term.clone();
     for n in 1..=60 {
-        let over = Enclosure::exact(BigRational::new(BigInt::one(), BigInt::from(n)));
-        term = term.times(&t, work)?.times(&over, work)?;
-        sum = sum.plus(&term, work)?;
+        term = product_in_units(&term, &t) / n;
+        sum += &term;
     }
-    let mut out = sum.widened(330, work)?;
+    let mut out = Enclosure::around(sum, 71, &BigRational::zero(), work)?;
     for _ in 0..halvings {
         out = out.times(&out, work)?;
     }
@@ -280,40 +309,39 @@ fn ln_of(q: &BigRational, work: &Work) -> Result<Enclosure, Refusal> {
     out.times(&Enclosure::integer(2), work)
 }
 
-/// Σ z^(2j + 1)/(2j + 1) for |z| ≤ 1/3. The terms behind the 100th come to less than 3^-201·9/8 < 2^-318.
+/// Σ ±z^(2j + 1)/(2j + 1), so many terms of it, for z in units and the factor ±z² from one power to the next.
+///
+/// Units, for |z| ≤ 1/3: z is off by less than one, so z² by less than 2. If a power is off by 2 at most, the next one is off by less
+/// than 2/9 + 2/3 + 1 < 2, and its quotient by less than 3. So 100 terms are off by less than 2^9.
+fn odd_powers(z: BigInt, square: &BigInt, terms: u32, work: &Work) -> Result<BigInt, Refusal> {
+    count_series(usize::try_from(terms).unwrap_or(usize::MAX), work)?;
+    let (mut power, mut sum) = (z, BigInt::zero());
+    for j in 0..terms {
+        sum += &power / (2 * j + 1);
+        power = product_in_units(&power, square);
+    }
+    Ok(sum)
+}
+
+/// Σ z^(2j + 1)/(2j + 1) for |z| ≤ 1/3. The terms behind the 100th come to less than 3^-201·9/8 < 2^-318, which is 2^82 units.
 fn artanh(z: &BigRational, work: &Work) -> Result<Enclosure, Refusal> {
-    if z.is_zero() {
-        return Ok(Enclosure::integer(0));
-    }
-    let mut power = Enclosure::between(z.clone(), z.clone(), work)?;
-    let square = power.times(&power, work)?;
-    let mut sum = Enclosure::integer(0);
-    for j in 0..100 {
-        let over = Enclosure::exact(BigRational::new(BigInt::one(), BigInt::from(2 * j + 1)));
-        sum = sum.plus(&power.times(&over, work)?, work)?;
-        power = power.times(&square, work)?;
-    }
-    sum.widened(318, work)
+    let z = in_units(z);
+    let square = product_in_units(&z, &z);
+    Enclosure::around(odd_powers(z, &square, 100, work)?, 83, &BigRational::zero(), work)
 }
 
 /// arctan(1/k) = Σ (−1)^j/((2j + 1)·k^(2j + 1)) for k ≥ 5. The terms alternate and get smaller: what is left after the 75th is less
-/// than 5^-151 < 2^-350.
+/// than 5^-151 < 2^-350, which is 2^50 units.
 fn arctan_of_inverse(k: i64, work: &Work) -> Result<Enclosure, Refusal> {
-    let over = |n: i64| Enclosure::exact(BigRational::new(BigInt::one(), BigInt::from(n)));
-    // No exact number: such sums would be long.
-    let (mut power, square) = (over(k).widened(400, work)?, over(-k * k));
-    let mut sum = Enclosure::integer(0);
-    for j in 0..75 {
-        sum = sum.plus(&power.times(&over(2 * j + 1), work)?, work)?;
-        power = power.times(&square, work)?;
-    }
-    sum.widened(350, work)
+    let z = in_units(&BigRational::new(BigInt::one(), BigInt::from(k)));
+    let square = -product_in_units(&z, &z);
+    Enclosure::around(odd_powers(z, &square, 75, work)?, 51, &BigRational::zero(), work)
 }
 
 /// arctan q: that of −q is opposite, and that of q > 1 is π/2 less that of 1/q. For 0 < q ≤ 1, it is twice that of
 /// q/(1 + √(1 + q²)), which is taken three times; then t ≤ tan(π/32) < 1/10. The terms of Σ (−1)^j·t^(2j + 1)/(2j + 1) alternate
-/// and get smaller: what is left behind the 50th is less than 10^-101 < 2^-335, and behind a power of t below 2^-335 it is
-/// too. Eight times that is less than 2^-330.
+/// and get smaller: what is left behind the 50th is less than 10^-101 < 2^-335, which is 2^65 units. The series is that of the lower
+/// end of t; the slope of arctan is 1 at most.
 fn arctan_of(q: &BigRational, work: &Work) -> Result<Enclosure, Refusal> {
     let one = Enclosure::integer(1);
     if q.is_zero() {
@@ -330,17 +358,10 @@ fn arctan_of(q: &BigRational, work: &Work) -> Result<Enclosure, Refusal> {
         let root = one.plus(&t.times(&t, work)?, work)?.root(2, work)?;
         t = t.times(&one.plus(&root, work)?.inverse(work)?, work)?;
     }
-    let (mut power, square) = (t.clone(), t.times(&t, work)?.negated());
-    let mut sum = Enclosure::integer(0);
-    for j in 0..50 {
-        let over = Enclosure::exact(BigRational::new(BigInt::one(), BigInt::from(2 * j + 1)));
-        sum = sum.plus(&power.times(&over, work)?, work)?;
-        power = power.times(&square, work)?;
-        if power.low.abs().max(power.high.abs()) < two_to(-335) {
-            break;
-        }
-    }
-    sum.times(&Enclosure::integer(8), work)?.widened(330, work)
+    let z = in_units(&t.low);
+    let square = -product_in_units(&z, &z);
+    let sum = Enclosure::around(odd_powers(z, &square, 50, work)?, 66, &(&t.high - &t.low), work)?;
+    sum.times(&Enclosure::integer(8), work)
 }
 
 /// arcsin q for −1 ≤ q ≤ 1: the number whose tangent is q/√(1 − q²), or a quarter turn.
@@ -357,7 +378,11 @@ fn arcsin_of(q: &BigRational, work: &Work) -> Result<Enclosure, Refusal> {
 }
 
 /// cos q and sin q: the real and the imaginary part of Σ (i·t)^n/n! for t = q − 2·k·π, |t| < 4. What is left of either behind the 119th
-/// term is at most 4^120/120! < 2^-400.
+/// term is at most 2·4^120/120! < 2^-399, 2 units. The series is that of the lower end of t; the slopes are 1 at most.
+///
+/// Units: t is off by less than one, and |t|^n/n! is at most 11. If a term is off by E, the next one is off by less than
+/// (4·E + 12)/n + 1. That is at most 13, 33, 49 and 53 for n from 1 to 4, and less than 53 ever after. So 60 terms are off by less
+/// than 2^12, and with what is left by less than 2^13.
 fn cosine_and_sine_of(q: &BigRational, work: &Work) -> Result<(Enclosure, Enclosure), Refusal> {
     if q.is_zero() {
         return Ok((Enclosure::integer(1), Enclosure::integer(0)));
@@ -376,16 +401,16 @@ fn cosine_and_sine_of(q: &BigRational, work: &Work) -> Result<(Enclosure, Enclos
     if t.low <= -&four || t.high >= four {
         return rejected(Reason::NotDecided);
     }
-    let mut term = Enclosure::integer(1);
-    let mut sums = [Enclosure::integer(0), Enclosure::integer(0)];
-    for n in 0..120u8 {
-        let next = if n % 4 < 2 { term.clone() } else { term.negated() };
-        if let Some(sum) = sums.get_mut(usize::from(n % 2)) {
-            *sum = sum.plus(&next, work)?;
+    count_series(120, work)?;
+    let (units, width) = (in_units(&t.low), &t.high - &t.low);
+    let mut term = BigInt::one() << PLACES;
+    let mut sums = [BigInt::zero(), BigInt::zero()];
+    for n in 0..120usize {
+        if let Some(sum) = sums.get_mut(n % 2) {
+            *sum += if n % 4 < 2 { term.clone() } else { -&term };
         }
-        let over = Enclosure::exact(BigRational::new(BigInt::one(), BigInt::from(n + 1)));
-        term = term.times(&t, work)?.times(&over, work)?;
+        term = product_in_units(&term, &units) / (n + 1);
     }
     let [cosine, sine] = sums;
-    Ok((cosine.widened(330, work)?, sine.widened(330, work)?))
+    Ok((Enclosure::around(cosine, 13, &width, work)?, Enclosure::around(sine, 13, &width, work)?))
 }
