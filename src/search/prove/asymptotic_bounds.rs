@@ -20,7 +20,7 @@ use super::asymptotic_form::{Leading, atoms, is_turning, put_for_atom, raised, t
 use super::facts::{minus, negated, power_of};
 use super::letters::{product, whole_power};
 use super::limits::over;
-use super::taylor::{Function, Side};
+use super::taylor::{Function, Side, TaylorBound};
 use crate::algebra::Polynomial;
 use crate::certificate::Label;
 use crate::claim::syntax::*;
@@ -156,15 +156,13 @@ impl Small {
 /// What is found out about one limit.
 pub(super) struct Plan {
     pub x: String,
-    /// A name for the argument of a function.
-    pub y: String,
     /// The degree of Taylor's polynomials.
     pub degree: u32,
     /// The j in ln(x) <= j·x^(1/j).
     pub root: u32,
     pub pieces: Vec<Piece>,
     /// What the expansions need, for all y near the centre.
-    pub lemmas: Vec<Prop>,
+    pub lemmas: Vec<TaylorBound>,
     pub small: Vec<Small>,
     /// What is known for all values of x.
     pub facts: Vec<Label>,
@@ -564,10 +562,10 @@ impl Plan {
 
     /// The place of the statement for all y near the centre that an expansion needs.
     fn lemma(&mut self, function: &Function, side: Side, upper: bool) -> usize {
-        let all = function.statement(&self.y, self.degree, upper, side);
-        let place = self.lemmas.iter().position(|p| key::prop(p) == key::prop(&all));
+        let bound = TaylorBound { function: function.clone(), degree: self.degree, upper, side };
+        let place = self.lemmas.iter().position(|known| *known == bound);
         place.unwrap_or_else(|| {
-            self.lemmas.push(all);
+            self.lemmas.push(bound);
             self.lemmas.len() - 1
         })
     }

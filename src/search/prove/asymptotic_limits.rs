@@ -68,7 +68,7 @@ impl Prover {
     /// A plan for bounds by these degrees, with nothing in it yet.
     pub(super) fn plan(&mut self, x: &str, degree: u32, root: u32, facts: &[Label]) -> Plan {
         let (pieces, lemmas, small) = Default::default();
-        Plan { x: x.to_string(), y: self.fresh("y"), degree, root, pieces, lemmas, small, facts: facts.to_vec() }
+        Plan { x: x.to_string(), degree, root, pieces, lemmas, small, facts: facts.to_vec() }
     }
 
     fn between_bounds(
@@ -86,7 +86,7 @@ impl Prover {
             let same = Limit { of: bound.clone(), ..l.clone() };
             self.limit_by_degrees(&prop(PropKind::Limit(Box::new(same.clone()))), &same)?;
         }
-        let lemmas = plan.lemmas.iter().map(|p| self.lemma(p)).collect::<Result<Vec<_>, _>>()?;
+        let lemmas = plan.lemmas.iter().map(|bound| self.taylor_bound(bound)).collect::<Result<Vec<_>, _>>()?;
         let mut sides = [(bounds[0], below, true), (bounds[1], above, false)].into_iter();
         let start = total(&from.concat());
         self.squeeze(goal, l, [&lower, &upper], &start, &mut |c, k, every, body| {

@@ -1,6 +1,5 @@
 //! Equations from a multiple that is 0: p = 0 from h·p = 0 and h != 0.
 
-use super::comparison::OpenFactors;
 use super::letters::{product, whole_power};
 use super::products::{Kind, Known};
 use super::{Fail, Prover};
@@ -8,38 +7,20 @@ use crate::algebra::Polynomial;
 use crate::certificate::{Label, Term};
 use crate::claim::syntax::*;
 use crate::kernel::order::Signs;
-use crate::kernel::statement::{compare, numeral};
-use crate::refute::literal::literal;
 use malachite::Rational;
 use malachite::base::num::basic::traits::One;
 
 impl Prover {
     /// Proves an equation p = 0 from p·h = 0 and h != 0, for p linear in some variable. The kernel decides whether p·h is the
-    /// expression known to be 0, since it knows the powers of roots; with `effort` this and the sign of h are to be shown.
-    fn by_cofactor(
-        &mut self,
-        goal: &Prop,
-        p: &Polynomial,
-        zero: &Known,
-        rest: &[Expr],
-        effort: bool,
-    ) -> Result<Label, Fail> {
+    /// expression known to be 0, since it knows the powers of roots.
+    fn by_cofactor(&mut self, goal: &Prop, p: &Polynomial, zero: &Known, rest: &[Expr]) -> Result<Label, Fail> {
         for v in p.variables() {
-            let Some(Quotient { cofactor, scale, left }) = quotient_in(v, p, &zero.poly)? else { continue };
+            let Some(Quotient { cofactor, scale }) = quotient_in(v, p, &zero.poly)? else { continue };
             let e = self.letters.written(&cofactor);
             if cofactor.is_constant() {
                 continue;
             }
             let mut terms = Vec::new();
-            if effort {
-                // p = (scale·q − left)/h.
-                let exact = compare(self.letters.written(&left), Relation::Equal, numeral(0));
-                let Ok(exact) = self.quietly(&exact) else { continue };
-                self.nonzero(&e);
-                let mut factors = rest.to_vec();
-                factors.extend([whole_power(e.clone(), -1), literal(&Rational::from(-1))]);
-                terms.push(Term { facts: vec![exact], factor: product(factors) });
-            }
             if !self.signs_of(&e).within(Signs::NOT_ZERO) {
                 continue;
             }
@@ -55,13 +36,6 @@ impl Prover {
         Err(Fail::No("a cofactor"))
     }
 
-    /// Proves an equation p = 0 from a multiple of p that is known to be 0, after the sign of the other factor.
-    pub(super) fn by_signed_cofactor(&mut self, goal: &Prop) -> Result<Label, Fail> {
-        let OpenFactors { poly, rest, .. } = self.open_factors(goal, 1)?;
-        let columns = self.columns(std::slice::from_ref(&poly), 0);
-        self.by_cofactors(goal, &poly, &columns, &rest, true)
-    }
-
     /// Proves an equation p = 0 from the first of the facts about what is 0 that gives it.
     pub(super) fn by_cofactors(
         &mut self,
@@ -69,20 +43,17 @@ impl Prover {
         p: &Polynomial,
         columns: &[Known],
         rest: &[Expr],
-        effort: bool,
     ) -> Result<Label, Fail> {
         let mut zeros = columns.iter().filter(|k| k.kind == Kind::Zero && k.order == 1);
-        let shown = zeros.find_map(|known| self.attempt(|c| c.by_cofactor(goal, p, known, rest, effort)).ok());
+        let shown = zeros.find_map(|known| self.attempt(|c| c.by_cofactor(goal, p, known, rest)).ok());
         shown.ok_or(Fail::No("a cofactor"))
     }
 }
 
-/// The quotient of a polynomial by another: scale·q = cofactor·p + left.
+/// The quotient of a polynomial by another: scale·q = cofactor·p and a rest that does not hold the variable. No scale is 1.
 struct Quotient {
     cofactor: Polynomial,
-    /// 1 if there is none.
     scale: Option<Polynomial>,
-    left: Polynomial,
 }
 
 /// The quotient of q by p, where p = slope·v + constant for a variable v, and q has a higher degree d in it.
@@ -113,7 +84,7 @@ fn quotient_in(v: u32, p: &Polynomial, q: &Polynomial) -> Result<Option<Quotient
     }
     let cofactor = Polynomial::from_coefficients_in(v, &quotient);
     Ok(Some(match number {
-        Some(inverse) => Quotient { cofactor: cofactor.scale(&inverse), scale: None, left: carried },
-        None => Quotient { cofactor, scale: Some(scale), left: carried },
+        Some(inverse) => Quotient { cofactor: cofactor.scale(&inverse), scale: None },
+        None => Quotient { cofactor, scale: Some(scale) },
     }))
 }

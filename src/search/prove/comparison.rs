@@ -1,7 +1,7 @@
 //! Comparisons: by signs, by linear programs over products of facts, from other relations.
 
 use super::facts::{is_settled, minus, sign_of};
-use super::letters::{as_power, natural, product, whole_power};
+use super::letters::{natural, product, whole_power};
 use super::products::{Kind, Known, combination, contradiction};
 use super::{Fail, Prover};
 use crate::algebra::Polynomial;
@@ -295,7 +295,7 @@ impl Prover {
         let mut columns = self.columns(std::slice::from_ref(&poly), level);
         if relation == Relation::Equal {
             columns.retain(|k| k.kind == Kind::Zero);
-            if let Ok(label) = self.by_cofactors(goal, &poly, &columns, &rest, false) {
+            if let Ok(label) = self.by_cofactors(goal, &poly, &columns, &rest) {
                 return Ok(label);
             }
         }
@@ -347,18 +347,6 @@ impl Prover {
         let terms = Self::terms(&columns, &weights, &[], false);
         let shown = self.combination(compare(numeral(0), Relation::Greater, numeral(0)), terms)?;
         self.logic(&[&shown], goal)
-    }
-
-    /// Proves a comparison of two powers with the same exponent from the comparison of their bases.
-    pub(super) fn by_bases(&mut self, goal: &Prop) -> Result<Label, Fail> {
-        let (a, relation, b) = single(goal)?;
-        match (as_power(a), as_power(b)) {
-            (Some((x, p)), Some((y, q))) if p == q => {
-                let from = self.quietly(&compare(x, relation, y))?;
-                self.emit(Rule::Monotone { from }, goal.clone())
-            }
-            _ => Err(Fail::No("powers with one exponent")),
-        }
     }
 }
 

@@ -9,7 +9,6 @@
 
 use super::asymptotic_form::total;
 use super::letters::{product, whole_power};
-use super::quadratics::root_of_a_whole_number;
 use super::radicals::Named;
 use super::solutions::times;
 use super::{Fail, Prover};
@@ -105,6 +104,19 @@ impl Surd {
 fn root_of(q: &Rational) -> Option<Expr> {
     let (outside, inside) = root_of_a_whole_number(q)?;
     Some(if inside == 1 { literal(&outside) } else { times(outside, apply("sqrt", literal(&inside))) })
+}
+
+/// The square root of a positive number as q·sqrt(d) with a whole number d, from which the squares of small numbers are taken out.
+fn root_of_a_whole_number(square: &Rational) -> Option<(Rational, Rational)> {
+    let (n, m) = (i64::try_from(square.numerator_ref()).ok()?, i64::try_from(square.denominator_ref()).ok()?);
+    let (mut d, mut outside) = (n.checked_mul(m)?, 1i64);
+    for k in (2..1000i64).rev() {
+        while d % (k * k) == 0 {
+            d /= k * k;
+            outside *= k;
+        }
+    }
+    Some((Rational::from_signeds(outside, m), Rational::from(d)))
 }
 
 impl Prover {

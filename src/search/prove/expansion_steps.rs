@@ -9,7 +9,7 @@ use super::expansions::{Bounded, Expansion, Factors, How, Node, Series};
 use super::facts::{minus, negated, scaled};
 use super::letters::{product, whole_power};
 use super::limits::over;
-use super::taylor::{Function, Side, at_most};
+use super::taylor::{Function, Side, TaylorBound, at_most};
 use super::{Fail, Prover};
 use crate::certificate::{Label, Rule, Term};
 use crate::claim::syntax::*;
@@ -152,11 +152,11 @@ impl Prover {
             self.combination(positive, terms.collect())?;
         }
         let mut lemmas = HashMap::new();
-        let y = self.fresh("y");
         for (k, node) in plan.nodes.iter().enumerate().filter(|(k, _)| used.contains(k)) {
             if let How::Function { function, degree, .. } = &node.how {
                 for upper in [false, true] {
-                    let lemma = self.lemma(&function.statement(&y, *degree, upper, Side::Both))?;
+                    let bound = TaylorBound { function: function.clone(), degree: *degree, upper, side: Side::Both };
+                    let lemma = self.taylor_bound(&bound)?;
                     lemmas.insert((k, upper), lemma);
                 }
             }
@@ -621,9 +621,7 @@ fn slope(function: &Function, degree: u32, upper: bool, a: &Expr, b: &Expr) -> E
         k => minus(e, &numeral(k)),
     };
     let (a, b) = (centre(a), centre(b));
-    let mut coefficients = function.coefficients(degree);
-    let last = Rational::from(function.remainder(degree));
-    coefficients.push(if upper { last } else { -last });
+    let coefficients = function.bound_coefficients(degree, upper, Side::Both);
     let mut terms = Vec::new();
     for (k, c) in coefficients.iter().enumerate().filter(|(_, c)| **c != Rational::ZERO) {
         for i in 0..k {

@@ -343,6 +343,15 @@ impl Prover {
 
     /// An instance of a `for all` fact with one variable.
     pub(crate) fn instance(&mut self, source: &str, value: &Expr) -> Result<Label, Fail> {
+        let (label, shown, is_new) = self.instance_alone(source, value)?;
+        if is_new {
+            self.take_in(&label, &shown)?;
+        }
+        Ok(label)
+    }
+
+    /// The same, of which nothing else is concluded: its label, what it says, and whether it is a new fact.
+    pub(super) fn instance_alone(&mut self, source: &str, value: &Expr) -> Result<(Label, Prop, bool), Fail> {
         let variable = match self.fact(source).map(|fact| fact.kind) {
             Some(PropKind::ForAll(bindings, _)) => match bindings.as_slice() {
                 [Binding { names, .. }] if matches!(names.as_slice(), [(_, None)]) => names[0].0.text.clone(),
@@ -350,11 +359,7 @@ impl Prover {
             },
             _ => return Err(Fail::No("a fact for all values")),
         };
-        let (label, shown, is_new) = self.instantiated(source, vec![(variable, value.clone())])?;
-        if is_new {
-            self.take_in(&label, &shown)?;
-        }
-        Ok(label)
+        self.instantiated(source, vec![(variable, value.clone())])
     }
 
     /// An instance of a fact `for all` at a point, taken in also where it was known.
@@ -372,7 +377,9 @@ impl Prover {
         let (with, map) = at(point);
         let mut from = Vec::new();
         for fact in bindings.iter().flat_map(domain) {
-            from.push(self.quietly(&map.prop(&fact).map_err(Fail::from)?)?);
+            let goal = map.prop(&fact).map_err(Fail::from)?;
+            let known = self.known(&goal).map_or_else(|| self.attempt(|c| c.by_linear_facts(&goal)), Ok);
+            from.push(known.or_else(|_| self.quietly(&goal))?);
         }
         let shown = map.prop(&body).map_err(Fail::from)?;
         if let Some(label) = self.known(&shown) {

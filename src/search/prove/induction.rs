@@ -88,17 +88,6 @@ impl Prover {
         shown
     }
 
-    /// Proves an equation about members that a `for all` fact relates to each other by induction, without cases. Linear programs
-    /// over these facts are large, and seldom show it.
-    pub(crate) fn by_recurrence(&mut self, goal: &Prop) -> Result<Label, Fail> {
-        let no = || Fail::No("a recurrence");
-        if self.inductions > 0 || self.splits > 0 || !self.looks_back() {
-            return Err(no());
-        }
-        let candidates = self.candidates(goal);
-        candidates.iter().find_map(|n| self.attempt(|c| c.induction_on(goal, n, false, 3)).ok()).ok_or_else(no)
-    }
-
     /// The natural variables on which induction may help, the last declared first.
     fn candidates(&self, goal: &Prop) -> Vec<String> {
         let mut names = BTreeSet::new();

@@ -217,10 +217,13 @@ impl Prover {
         })
     }
 
-    /// Proves the limit after replacing sums by closed forms.
+    /// Proves the limit after replacing sums by closed forms, or by what the integral test puts below and above them.
     fn by_closed_sums(&mut self, goal: &Prop, l: &Limit) -> Result<Label, Fail> {
-        let (closed, facts) = self.with_closed_sums(&l.of, &l.variable.text)?;
-        self.between(goal, l, (&closed, &closed), &facts, 1)
+        if let Ok((closed, facts)) = self.with_closed_sums(&l.of, &l.variable.text) {
+            return self.between(goal, l, (&closed, &closed), &facts, 1);
+        }
+        let ([lower, upper], facts) = self.between_integrals(&l.of, &l.variable.text)?;
+        self.between(goal, l, (&lower, &upper), &facts, 1)
     }
 
     /// r^n → 0 for r between −1 and 1: it lies between −q^n and q^n for q = (1 + r²)/2, which is at least |r| and less than 1.

@@ -37,21 +37,6 @@ impl Prover {
         if facts.is_empty() { Err(Fail::No("a sum in closed form")) } else { Ok((closed, facts)) }
     }
 
-    /// The same where a sum holds the variable besides as its end, for which no induction on it is of use.
-    pub(super) fn by_sums_of_their_end(&mut self, goal: &Prop) -> Result<Label, Fail> {
-        let mut sides = Vec::new();
-        super::goals::sides_in(goal, &mut sides);
-        let is_own = |n: &String| {
-            let mut sums = Vec::new();
-            sides.iter().for_each(|e| sums_to(e, n, &mut sums));
-            sums.iter().any(|s| matches!(&s.kind, ExprKind::SumOver(_, body) if holds(body, n)))
-        };
-        if !self.naturals.iter().any(is_own) {
-            return Err(Fail::No("a sum that holds its end"));
-        }
-        self.by_sums(goal)
-    }
-
     /// A comparison with the closed forms of its sums up to natural numbers put in.
     pub(crate) fn by_sums(&mut self, goal: &Prop) -> Result<Label, Fail> {
         if self.inductions > 0 {

@@ -1,7 +1,8 @@
 //! Taylor's polynomials of exp, ln, sin, cos, arcsin, arctan and powers, with a remainder.
 
-use super::facts::minus;
-use super::letters::{product, whole_power};
+use super::facts::{minus, negated};
+use super::letters::{product, total, whole_power};
+use super::limits::over;
 use crate::claim::syntax::*;
 use crate::kernel::order::Signs;
 use crate::kernel::statement::{apply, compare, name, numeral, power, prop, sum};
@@ -101,35 +102,66 @@ impl Function {
         }
     }
 
-    /// Taylor's polynomial of a degree with the remainder ±C·|s|^(degree + 1), for s on one side of 0, or on both.
-    pub(super) fn bound(&self, s: &Expr, degree: u32, upper: bool, side: Side) -> Expr {
-        let terms = self.coefficients(degree).into_iter().zip(0..=degree).filter(|(c, _)| *c != 0);
-        let term =
-            |(c, k): (Rational, u32)| (Sign::Plus, product(vec![literal(&c), whole_power(s.clone(), i64::from(k))]));
-        let mut terms: Vec<(Sign, Expr)> = terms.map(term).collect();
-        let rest = product(vec![numeral(self.remainder(degree)), whole_power(s.clone(), i64::from(degree) + 1)]);
-        let turned = degree.is_multiple_of(2) && side == Side::Below;
-        terms.push((if upper != turned { Sign::Plus } else { Sign::Minus }, rest));
-        sum(terms)
+    /// The derivative of an order, for the functions that have one in few words.
+    pub(super) fn derivative(&self, order: u32, y: &Expr) -> Option<Expr> {
+        let quadratic = |sign| sum(vec![(Sign::Plus, numeral(1)), (sign, whole_power(y.clone(), 2))]);
+        let turned = |quarters: u32| {
+            let value = apply(if quarters.is_multiple_of(2) { "sin" } else { "cos" }, y.clone());
+            if quarters % 4 < 2 { value } else { negated(value) }
+        };
+        match self {
+            _ if order == 0 => Some(self.at(y)),
+            Function::Sine => Some(turned(order)),
+            Function::Cosine => Some(turned(order + 1)),
+            Function::Arctangent if order == 1 => Some(over(numeral(1), quadratic(Sign::Plus))),
+            Function::Arcsine if order == 1 => Some(over(numeral(1), apply("sqrt", quadratic(Sign::Minus)))),
+            _ => None,
+        }
     }
 
-    /// The bound for all y on these sides of the centre, up to the distance 1/2.
-    pub(super) fn statement(&self, y: &str, degree: u32, upper: bool, side: Side) -> Prop {
-        let end = |k: i64| literal(&(Rational::from_signeds(k, 2) + Rational::from(self.centre())));
-        let (from, to) = match side {
-            Side::Both => (end(-1), end(1)),
-            Side::Above => (end(0), end(1)),
-            Side::Below => (end(-1), end(0)),
+    /// The coefficients of Taylor's polynomial of a degree with the remainder ±C·|s|^(degree + 1), for s on one side of 0, or on both.
+    pub(super) fn bound_coefficients(&self, degree: u32, upper: bool, side: Side) -> Vec<Rational> {
+        let mut coefficients = self.coefficients(degree);
+        let turned = degree.is_multiple_of(2) && side == Side::Below;
+        let rest = Rational::from(self.remainder(degree));
+        coefficients.push(if upper != turned { rest } else { -rest });
+        coefficients
+    }
+
+    /// Taylor's polynomial of a degree with its remainder.
+    pub(super) fn bound(&self, s: &Expr, degree: u32, upper: bool, side: Side) -> Expr {
+        polynomial(&self.bound_coefficients(degree, upper, side), s)
+    }
+}
+
+/// c₀ + c₁·s + c₂·s² + …
+pub(super) fn polynomial(coefficients: &[Rational], s: &Expr) -> Expr {
+    let terms = coefficients.iter().zip(0..).filter(|(c, _)| **c != 0);
+    let terms: Vec<(Sign, Expr)> =
+        terms.map(|(c, k)| (Sign::Plus, product(vec![literal(c), whole_power(s.clone(), k)]))).collect();
+    if terms.is_empty() { numeral(0) } else { total(terms) }
+}
+
+/// That a function is at most, or at least, its polynomial of Taylor with a remainder, up to the distance 1/2 from the centre.
+#[derive(Clone, PartialEq)]
+pub(super) struct TaylorBound {
+    pub function: Function,
+    pub degree: u32,
+    pub upper: bool,
+    /// On which sides of the centre.
+    pub side: Side,
+}
+
+impl TaylorBound {
+    /// The statement for all y.
+    pub(super) fn statement(&self, y: &str) -> Prop {
+        let TaylorBound { function, degree, upper, side } = self;
+        let s = match function.centre() {
+            0 => name(y),
+            _ => minus(&name(y), &numeral(1)),
         };
-        let domain = Constraint::Interval { from, from_closed: true, to, to_closed: true };
-        let binding = Binding::of(Name::new(y), false, vec![domain]);
-        let y = name(y);
-        let s = match self.centre() {
-            0 => y.clone(),
-            _ => minus(&y, &numeral(1)),
-        };
-        let body = at_most(!upper, &self.bound(&s, degree, upper, side), &self.at(&y));
-        prop(PropKind::ForAll(vec![binding], Box::new(body)))
+        let body = at_most(!upper, &function.bound(&s, *degree, *upper, *side), &function.at(&name(y)));
+        prop(PropKind::ForAll(vec![side.near(y, function.centre())], Box::new(body)))
     }
 }
 
@@ -149,6 +181,18 @@ impl Side {
             s if s.within(Signs::of(Relation::LessEqual)) => Side::Below,
             _ => Side::Both,
         }
+    }
+
+    /// y on these sides of a centre, up to the distance 1/2.
+    pub(super) fn near(self, y: &str, centre: u32) -> Binding {
+        let end = |k: i64| literal(&(Rational::from_signeds(k, 2) + Rational::from(centre)));
+        let (from, to) = match self {
+            Side::Both => (end(-1), end(1)),
+            Side::Above => (end(0), end(1)),
+            Side::Below => (end(-1), end(0)),
+        };
+        let domain = Constraint::Interval { from, from_closed: true, to, to_closed: true };
+        Binding::of(Name::new(y), false, vec![domain])
     }
 
     pub(super) fn opposite(self) -> Side {
