@@ -108,6 +108,7 @@ const DIRECT: &[Method] = &[
     row("Positivstellensatz", EQUATION, FEW, Undone, |c, goal| c.by_positivstellensatz(goal)),
     row("differences of variables", ORDERS, FEW, Undone, |c, goal| c.by_differences(goal, 2..=3)),
     row("contradictions", NO_EQUATION, NOT_LEAST, Undone, |c, goal| c.by_contradiction(goal, 2)),
+    row("homogeneous forms", ORDERS, LOUD, Own, |c, goal| c.by_homogeneous(goal)),
     row("a linear unknown", ALL, LOUD, Kept, |c, goal| c.by_linear_unknown(goal)),
     row("evaluation", ALL, ALWAYS, Kept, |c, goal| {
         if c.speaks_of_numbers(goal) { c.emit(Rule::Evaluate, goal.clone()) } else { Err(Fail::No("numbers")) }

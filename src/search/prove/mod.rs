@@ -53,6 +53,7 @@ mod fourier_motzkin;
 mod goals;
 mod growing_sums;
 mod hoelder;
+mod homogeneous;
 mod hypergeometric;
 mod ideal;
 mod induction;
