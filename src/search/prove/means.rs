@@ -19,6 +19,10 @@ use std::collections::BTreeMap;
 /// What the linear program for weights may cost.
 const LIMITS: SimplexLimits = SimplexLimits { pivots: 250, work: 400_000 };
 
+/// The most terms of a polynomial whose monomials are compared with means, and the most of these that are subtracted.
+const TERMS: usize = 40;
+const BELOW: usize = 24;
+
 impl Prover {
     /// Notes a^(1 - p)*b^p <= (1 - p)*a + p*b for powers a^q and b^p in the goal with q = 1 - p, and for a power alone.
     pub(crate) fn means(&mut self, goal: &Prop) -> Result<Vec<Label>, Fail> {
@@ -126,7 +130,7 @@ impl Prover {
             }
         }
         // a − b = rest·poly.
-        let poly: Polynomial = open.filter(|p| p.term_count() <= 24).ok_or_else(no)?;
+        let poly: Polynomial = open.filter(|p| p.term_count() <= TERMS).ok_or_else(no)?;
         let flip = signs.within(Signs::POSITIVE) != up;
         let poly = if flip { poly.neg() } else { poly };
         let mut exponents = BTreeMap::new();
@@ -219,7 +223,7 @@ type MeanBelow = (Rational, Polynomial, Vec<(Polynomial, Rational)>);
 /// Σ w = 1, Σ w·exponents = its exponents, and all c·w together are no more than the positive coefficients.
 fn means_below(p: &Polynomial, exponents: &BTreeMap<u32, Vec<(u32, Rational)>>) -> Option<Vec<MeanBelow>> {
     let (above, below): (Vec<_>, Vec<_>) = p.terms().partition(|(_, c)| **c > 0);
-    if above.is_empty() || below.is_empty() || below.len() > 6 {
+    if above.is_empty() || below.is_empty() || below.len() > BELOW {
         return None;
     }
     let mut letters: Vec<u32> = exponents.values().flatten().map(|e| e.0).collect();
