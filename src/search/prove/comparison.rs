@@ -179,10 +179,7 @@ impl Prover {
         let splits = std::mem::replace(&mut self.splits, 8);
         let shown = self.attempt(|c| c.by_squares(goal)).or_else(|_| self.attempt(|c| c.by_radicals(goal)));
         self.splits = splits;
-        shown
-            .or_else(|_| self.attempt(|c| c.by_root_bounds(goal)))
-            .or_else(|_| self.attempt(|c| c.by_powers_of_sides(goal)))
-            .or_else(|_| self.by_roots_in_full(goal))
+        shown.or_else(|_| self.attempt(|c| c.by_powers_of_sides(goal))).or_else(|_| self.by_roots_in_full(goal))
     }
 
     /// Whether nothing in a proposition depends on a variable: arithmetic decides it.

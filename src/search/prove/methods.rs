@@ -100,6 +100,7 @@ const DIRECT: &[Method] = &[
         c.with_solved_equations(|c| c.combination(goal.clone(), Vec::new()).or_else(|_| c.by_products(goal, 1)))
     }),
     row("differences of variables", ORDERS, FEW, Undone, |c, goal| c.by_differences(goal, 1..=1)),
+    row("roots", ORDERS, LOUD, Undone, |c, goal| c.by_root_bounds(goal)),
     row("Positivstellensatz", NO_EQUATION, FEW, Undone, |c, goal| c.by_positivstellensatz(goal)),
     row("contradictions", NO_EQUATION, ALWAYS, Undone, |c, goal| c.by_contradiction(goal, 1)),
     // Larger linear programs seldom decide comparisons about roots.

@@ -102,6 +102,7 @@ mod taylor_bounds;
 mod telescoping;
 #[cfg(test)]
 mod tests;
+mod trial_points;
 mod universal;
 mod values;
 mod witnesses;

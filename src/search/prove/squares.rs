@@ -348,7 +348,7 @@ fn greatest_common_divisor(a: i64, b: i64) -> i64 {
 }
 
 /// Whether a power whose exponent is a number, but no whole one, stands in an expression.
-fn has_a_root(e: &Expr) -> bool {
+pub(super) fn has_a_root(e: &Expr) -> bool {
     let mut found = super::letters::as_power(e)
         .is_some_and(|(_, exponent)| super::coefficients::rational(&exponent).is_some_and(|q| !q.is_integer()));
     crate::claim::walk::parts(e, &mut |part| found |= has_a_root(part));
