@@ -89,6 +89,7 @@ const DECIDED: &[&str] = &[
     "members-in-closed-form",
     "powers-of-sums",
     "values-at-means",
+    "symmetric-inequalities",
 ];
 
 /// What a procedure decided is not lost in silence, and what is true is never refuted.
