@@ -3,7 +3,8 @@
 //! tried again with these. (L. Yang, "Solving harder problems with lesser mathematics", 2005; X. Hou and J. Shao, 2011.)
 //!
 //! A variable between two numbers a and b enters by v − a and b − v instead: with 1 = ((v − a) + (b − v))/(b − a) the polynomial
-//! becomes a form in both (Bernstein coefficients). An equation h = c, where h is a form, makes the polynomial a form first.
+//! becomes a form in both (Bernstein coefficients). An equation h = c, where h is a form, makes the polynomial a form first. Where none
+//! does, the number 1 is put in order with the variables: many such inequalities are equations where all variables are 1.
 //!
 //! Certificate: cases by the order of two expressions, and in each a sum of products that are not negative.
 //!
@@ -16,7 +17,7 @@ use crate::algebra::{Monomial, Polynomial};
 use crate::certificate::{Label, Term};
 use crate::claim::syntax::*;
 use crate::kernel::order::Signs;
-use crate::kernel::statement::compare;
+use crate::kernel::statement::{compare, numeral};
 use crate::refute::literal::literal;
 use malachite::Rational;
 use malachite::base::num::basic::traits::{One, Zero};
@@ -76,20 +77,23 @@ impl Prover {
         let mut last = Err(no());
         for (form, always) in self.forms(&target, &known, &open.rest, open.flip) {
             let Some((parts, poly)) = self.in_parts(&form, &known) else { continue };
-            let ordered: Vec<u32> = parts.ordered.iter().map(|p| p.variable).collect();
-            let mut all = parts.ordered;
-            all.extend(parts.bounded);
-            let mut leaves = LEAVES;
-            self.ticks += 1;
-            for depth in depths.clone() {
-                if depth > 0 && (ordered.len() > VARIABLES || is_negative_somewhere(&poly)) {
-                    break;
-                }
-                if let Some(plan) = plan(&poly, &ordered, &all, strict, depth, &mut leaves) {
-                    let aim = Aim { goal, rest: &open.rest, always: always.clone(), flip: open.flip };
-                    last = self.attempt(|c| c.by_plan(&aim, &plan, &all));
-                    if last.is_ok() {
-                        return last;
+            let beside_one = if *depths.end() > 1 { beside_one(&parts, &poly) } else { None };
+            for (parts, poly) in [(parts, poly)].into_iter().chain(beside_one) {
+                let ordered: Vec<u32> = parts.ordered.iter().map(|p| p.variable).collect();
+                let mut all = parts.ordered;
+                all.extend(parts.bounded);
+                let mut leaves = LEAVES;
+                self.ticks += 1;
+                for depth in depths.clone() {
+                    if depth > 0 && (ordered.len() > VARIABLES || is_negative_somewhere(&poly)) {
+                        break;
+                    }
+                    if let Some(plan) = plan(&poly, &ordered, &all, strict, depth, &mut leaves) {
+                        let aim = Aim { goal, rest: &open.rest, always: always.clone(), flip: open.flip };
+                        last = self.attempt(|c| c.by_plan(&aim, &plan, &all));
+                        if last.is_ok() {
+                            return last;
+                        }
                     }
                 }
             }
@@ -238,12 +242,27 @@ impl Prover {
 }
 
 /// The parts of a polynomial.
-#[derive(Default)]
+#[derive(Clone, Default)]
 struct Parts {
     /// Those that are put in order.
     ordered: Vec<Part>,
     /// The two distances of a variable from its bounds.
     bounded: Vec<Part>,
+}
+
+/// The form in the parts and in the number 1 that a polynomial in parts is, if it is none in the parts alone: 1 then has its place
+/// in the order of the variables.
+fn beside_one(parts: &Parts, p: &Polynomial) -> Option<(Parts, Polynomial)> {
+    let mut parts = parts.clone();
+    let one = parts.ordered.iter().chain(&parts.bounded).map(|part| part.variable).max()? + 1;
+    let mut form = Polynomial::zero();
+    for (m, c) in p.terms() {
+        let term = Polynomial::term(m.clone(), c.clone());
+        let missing = p.degree() - m.degree();
+        form = form.add(&term.try_mul(&Polynomial::variable(one).pow(missing).ok()?).ok()?);
+    }
+    parts.ordered.push(Part { variable: one, written: numeral(1), strict: true });
+    (form.contains(one) && parts.bounded.is_empty()).then_some((parts, form))
 }
 
 /// A number that bounds a variable.
