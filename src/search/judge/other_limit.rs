@@ -25,6 +25,9 @@ use std::collections::BTreeSet;
 /// The most points of the parameters.
 const POINTS: usize = 2;
 
+/// Two numbers, with ten and nine for the squares of what falls by a twentieth at least from the one to the other.
+const NEAR_AND_FAR: [(u32, u32); 2] = [(64, 9), (4096, 10)];
+
 /// A point at which a limit of the goal is another than it says, one of these or one without parameters.
 pub(super) fn witness(claim: &Claim, points: &[Point], limits: &Limits) -> Option<Witness> {
     let (mut said, mut bounds) = (Vec::new(), Vec::new());
@@ -51,9 +54,10 @@ pub(super) fn witness(claim: &Claim, points: &[Point], limits: &Limits) -> Optio
     }
     points.dedup();
     let end = Moment::now().checked_add(limits.time);
+    let is_pi = !statement.declares(PI);
     points.into_iter().take(POINTS).find_map(|point| {
         let other = said.iter().find_map(|l| other(claim, &statement, l, &point, (limits, end)));
-        let broken = other.or_else(|| bounds.iter().find_map(|b| exceeded(claim, b, &point, (limits, end))));
+        let broken = other.or_else(|| bounds.iter().find_map(|b| exceeded(claim, b, is_pi, &point, (limits, end))));
         let mut opposites = opposites_of(&statement.goal).into_iter();
         let broken = broken.or_else(|| opposites.find_map(|p| holds_at_last(claim, &p, &point, (limits, end))))?;
         Some(Witness { point, broken: vec![broken] })
@@ -217,7 +221,13 @@ fn bound(bindings: &[Binding], body: &Prop) -> Option<Bound> {
 }
 
 /// That an expression exceeds every multiple of another at a point of the parameters.
-fn exceeded(claim: &Claim, bound: &Bound, point: &Point, (limits, end): (&Limits, Option<Moment>)) -> Option<Broken> {
+fn exceeded(
+    claim: &Claim,
+    bound: &Bound,
+    is_pi: bool,
+    point: &Point,
+    (limits, end): (&Limits, Option<Moment>),
+) -> Option<Broken> {
     let at = values(point)?;
     let (of, by) = (at.expr(&bound.of).ok()?, at.expr(&bound.by).ok()?);
     let mut taken = BTreeSet::new();
@@ -228,12 +238,30 @@ fn exceeded(claim: &Claim, bound: &Bound, point: &Point, (limits, end): (&Limits
     // |G/F| tends to 0 where G/F does.
     let [of, by] = [of, by].map(|e| prove::inside(&e).unwrap_or(e));
     let quotient = expr(ExprKind::Product(vec![(Factor::Times, by), (Factor::Over, of)]));
+    if !falls(&quotient, &bound.variable, is_pi) {
+        return None;
+    }
     let limit = Limit { of: quotient, variable: Name::new(&bound.variable), value: numeral(0) };
     let left = end.map_or(limits.time, |end| end.after(Moment::now()));
     let own_claim = of_limit(claim, limit, bound.natural);
     prove::certificate(&own_claim, &[], &Limits { time: left, ..limits.clone() }).ok()?;
     let statement = "the difference exceeds every multiple of the order".to_string();
     Some(Broken { statement, left: String::new(), right: String::new() })
+}
+
+/// Whether the size of an expression falls between two numbers. What tends to 0 does so, if they are far enough apart and it falls as a
+/// power or a logarithm; where an expression has no value there, it is not known.
+fn falls(e: &Expr, x: &str, is_pi: bool) -> bool {
+    let alone = Assignment { is_pi, ..Assignment::default() };
+    let square = |(at, times): (u32, u32)| {
+        let mut far = Substitution::default();
+        far.replace(x, &numeral(at));
+        let value = far.expr(e).ok()?;
+        let factors = [numeral(times), value.clone(), value].map(|e| (Factor::Times, e));
+        alone.number(&expr(ExprKind::Product(factors.to_vec()))).ok()
+    };
+    let [Some(near), Some(far)] = NEAR_AND_FAR.map(square) else { return true };
+    far.order(&near) != Some(Ordering::Greater)
 }
 
 /// For each comparison that a goal says to hold from some number on, the same with the opposite comparison: both cannot hold.
