@@ -90,6 +90,8 @@ const DECIDED: &[&str] = &[
     "powers-of-sums",
     "values-at-means",
     "symmetric-inequalities",
+    "integral-test",
+    "taylor-bounds",
 ];
 
 /// What a procedure decided is not lost in silence, and what is true is never refuted.
