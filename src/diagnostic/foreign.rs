@@ -41,9 +41,9 @@ pub fn foreign(word: &str) -> Option<&'static str> {
         "log2" | "lb" => "write ln(x)/ln(2)",
         "coth" => "write 1/tanh(x)",
         "csch" => "write 1/sinh(x)",
-        "arcosh" | "acosh" => "write ln(x + sqrt(x^2 - 1))",
-        "arsinh" | "asinh" => "write ln(x + sqrt(x^2 + 1))",
-        "artanh" | "atanh" => "write ln((1 + x)/(1 - x))/2",
+        "arcosh" | "acosh" | "arccosh" => "write ln(x + sqrt(x^2 - 1))",
+        "arsinh" | "asinh" | "arcsinh" => "write ln(x + sqrt(x^2 + 1))",
+        "artanh" | "atanh" | "arctanh" => "write ln((1 + x)/(1 - x))/2",
         "sgn" | "sign" => "write x/|x| where x != 0",
         "e" => "for the base of exponentials write exp(x), for a restitution declare it: `given e in [0, 1]`",
         "Re" | "Im" | "conj" => COMPLEX,
@@ -103,6 +103,9 @@ pub fn foreign(word: &str) -> Option<&'static str> {
         // Other signs.
         "." => "write a digit before the decimal point, as in 0.5; a range is 1..n",
         "\\" => "in a claim file write sqrt(x), a/b, x^2, <=; a paper in LaTeX is read from a file that ends in .tex",
+        "~" | "∼" => "say what the quotient tends to: `limit of f/g as x -> 0 is 1`",
+        "⌊" | "⌋" => "write floor(x)",
+        "⌈" | "⌉" => "write -floor(-x)",
         "≈" => "write the bound that is meant, as in |x - 0.543| <= 0.0005",
         "±" | "∓" => {
             "write both statements, one with + and one with -; a measured value is an interval: `given x in [57.0, 57.2]`"

@@ -387,7 +387,12 @@ impl Parser {
                 (_, Kind::Word(w)) if matches!(w.as_str(), "in" | "infinity") => foreign(w).map(str::to_string),
                 (Some(Kind::Word(w)), _) if expected == "`of`" => foreign(w).map(str::to_string),
                 (Some(Kind::Word(w)), Kind::Sign("!")) if w == "exists" => foreign("exists !").map(str::to_string),
-                (_, Kind::Word(w)) if expected == END_OF_CLAUSE => behind_a_statement(w).map(str::to_string),
+                (_, Kind::Word(w)) if expected == END_OF_CLAUSE && behind_a_statement(w).is_some() => {
+                    behind_a_statement(w).map(str::to_string)
+                }
+                (_, Kind::Word(w)) if w == "with" => {
+                    Some("put a condition in: `maximum of x*y` with x + y = 1 is `maximum of x*(1 - x)`".to_string())
+                }
                 (_, Kind::Sign(";")) if expected == END_OF_CLAUSE => Some("begin the next `let` or `assume` on a line of its own".to_string()),
                 (_, Kind::Sign(",")) if expected == END_OF_CLAUSE && self.peek_at(2) != &Kind::Sign("->") => {
                     Some("join two statements by `and`; begin the next `let` or `assume` on a line of its own".to_string())
