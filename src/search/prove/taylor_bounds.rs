@@ -28,13 +28,13 @@ impl Prover {
             return Ok(label.to_string());
         }
         let y = self.fresh("y");
-        match self.on_its_own(|c| c.from_the_last_derivative(bound, &y)) {
+        match self.on_its_own(|c| c.by_the_last_derivative(bound, &y)) {
             Ok(label) => Ok(label),
             Err(_) => self.lemma(&bound.statement(&y)),
         }
     }
 
-    fn from_the_last_derivative(&mut self, bound: &TaylorBound, y: &str) -> Result<Label, Fail> {
+    fn by_the_last_derivative(&mut self, bound: &TaylorBound, y: &str) -> Result<Label, Fail> {
         let orders = match bound.function {
             Function::Sine | Function::Cosine => bound.degree + 1,
             Function::Arcsine | Function::Arctangent => 1,
