@@ -57,15 +57,17 @@ class Logic(Values):
             end = p[0] != "and"
             return end if end in parts else None if None in parts else not end
 
-        def provides(p, state):
+        def provides(p, state, premise=(True,)):
+            """Its parts, but those of Q in P => Q only where P is one of these."""
             if p[0] == "is":
                 return {p[1]}
-            if p[0] == "imp":
-                return provides(p[1][0], state) | (provides(p[1][1], state) if holds(p[1][0], state) else set())
-            return set().union(*(provides(part, state) for part in p[1]))
+            parts = p[1][:1] if p[0] == "imp" and holds(p[1][0], state) not in premise else p[1]
+            return set().union(*(provides(part, state, premise) for part in parts))
 
         def search(state, open_):
             if any(holds(p, state) is False for p in premises):
+                return
+            if holds(conclusion, state) and provides(conclusion, state, (True, None)) <= always:
                 return
             if open_:
                 for value in (1, 2, 4) if open_[0] in pairs else (1, 4):

@@ -3,7 +3,8 @@
 //! Two expressions that are compared have one of three orders: less, equal, greater. Every other statement without a
 //! connective (for all, exists, an extremum, a limit) is true or false. A state gives an order to each pair and a truth
 //! value to each such statement. The goal follows if it is true, and has a value, in each state in which the facts are
-//! true. All states are tried.
+//! true. Parts get their orders and truth values one after the other; where these alone make a fact false, or the goal true with a
+//! value, all states that begin with them are left out.
 //!
 //! **When a proposition has a value.** A comparison has one where its sides have. `P and Q`, `P or Q`, `not P`,
 //! `P <=> Q` have one where their parts have. `P => Q` has one where P has, and where P is true also Q. In this sense
@@ -19,7 +20,7 @@ use crate::claim::syntax::*;
 use std::collections::{BTreeMap, BTreeSet};
 use std::rc::Rc;
 
-/// The most states that one step may try.
+/// The most states, begun ones included, that one step may try.
 const STATES_LIMIT: usize = 200_000;
 
 /// What a proposition is made of: its connectives, and its parts by number.
@@ -49,10 +50,17 @@ struct Parts {
     size: usize,
 }
 
-/// A state: the order of each pair, the truth of each statement.
+/// A state, which may be only begun: the orders that each pair may have, and the truth of each statement if it has been chosen.
 struct State {
     orders: Vec<Signs>,
-    truths: Vec<bool>,
+    truths: Vec<Option<bool>>,
+}
+
+/// A part that a state chooses for.
+#[derive(Clone, Copy)]
+enum Part {
+    Pair(usize),
+    Statement(usize),
 }
 
 /// Which pairs and statements have values.
@@ -72,14 +80,6 @@ impl Checker {
         let mut parts = Parts::default();
         let premises: Vec<Form> = facts.iter().map(|fact| self.form(fact, &mut parts)).collect::<Result<_, _>>()?;
         let conclusion = self.form(goal, &mut parts)?;
-        let open = parts.pairs.len() - parts.fixed.len();
-        let states = 3usize.checked_pow(u32::try_from(open).unwrap_or(u32::MAX));
-        let states =
-            states.and_then(|s| s.checked_mul(1usize.checked_shl(u32::try_from(parts.statements.len()).ok()?)?));
-        match states {
-            Some(states) if states <= STATES_LIMIT => self.work.count(states.saturating_mul(4 + parts.size))?,
-            _ => return Err(Refusal::Limit("states of a step of logic")),
-        }
         // What has a value in every state, by the facts under `by`.
         let mut always = Valued { pairs: BTreeSet::new(), statements: BTreeSet::new() };
         for (place, prop) in parts.pair_props.clone().iter().enumerate() {
@@ -93,20 +93,38 @@ impl Checker {
             }
         }
         let mut state = State {
-            orders: (0..parts.pairs.len()).map(|p| parts.fixed.get(&p).copied().unwrap_or(Signs::ZERO)).collect(),
-            truths: vec![false; parts.statements.len()],
+            orders: (0..parts.pairs.len()).map(|p| parts.fixed.get(&p).copied().unwrap_or(Signs::ANY)).collect(),
+            truths: vec![None; parts.statements.len()],
         };
-        let open: Vec<usize> = (0..parts.pairs.len()).filter(|p| !parts.fixed.contains_key(p)).collect();
-        every_state(&mut state, &open, 0, &mut |state| {
-            if premises.iter().any(|p| !p.holds(state)) {
-                return Ok(());
+        // Those of short facts first, since they leave the fewest states.
+        let mut shortest: Vec<&Form> = premises.iter().collect();
+        shortest.sort_by_key(|premise| premise.size());
+        let mut open = Vec::new();
+        shortest.into_iter().chain([&conclusion]).for_each(|form| form.open_parts(&state, &mut open));
+        let (work, each) = (&self.work, parts.size.saturating_add(4));
+        let mut tried = 0usize;
+        every_state(&mut state, &open, &mut |state, is_whole| {
+            tried += 1;
+            if tried > STATES_LIMIT {
+                return Err(Refusal::Limit("states of a step of logic"));
+            }
+            work.count(each)?;
+            if premises.iter().any(|p| p.truth(state) == Some(false)) {
+                return Ok(false);
+            }
+            // Where the goal is true and has a value whatever else is chosen, nothing is left to try.
+            if conclusion.holds(state) && conclusion.has_value(state, &always) {
+                return Ok(false);
+            }
+            if !is_whole {
+                return Ok(true);
             }
             if !conclusion.holds(state) {
                 return rejected(Reason::DoesNotFollow);
             }
             let mut valued = Valued { pairs: always.pairs.clone(), statements: always.statements.clone() };
             premises.iter().for_each(|p| p.provides(state, &mut valued));
-            if conclusion.has_value(state, &valued) { Ok(()) } else { rejected(Reason::NoValueInCase) }
+            if conclusion.has_value(state, &valued) { Ok(true) } else { rejected(Reason::NoValueInCase) }
         })
     }
 
@@ -182,46 +200,100 @@ impl Checker {
     }
 }
 
-/// Runs something in every state of these pairs, from a place on, and of all statements.
+/// Runs something in every state that chooses for these parts, and in those that it begins with; the flag says which are whole.
+/// Where it answers no, no state that begins so is tried.
 fn every_state(
     state: &mut State,
-    pairs: &[usize],
-    place: usize,
-    run: &mut dyn FnMut(&State) -> Result<(), Refusal>,
+    open: &[Part],
+    run: &mut dyn FnMut(&State, bool) -> Result<bool, Refusal>,
 ) -> Result<(), Refusal> {
-    if let Some(pair) = pairs.get(place) {
-        for order in [Signs::of(Relation::Less), Signs::ZERO, Signs::POSITIVE] {
-            if let Some(slot) = state.orders.get_mut(*pair) {
-                *slot = order;
-            }
-            every_state(state, pairs, place + 1, run)?;
-        }
+    if !run(state, open.is_empty())? {
         return Ok(());
     }
-    let statement = place - pairs.len();
-    if statement < state.truths.len() {
-        for truth in [false, true] {
-            if let Some(slot) = state.truths.get_mut(statement) {
-                *slot = truth;
+    let Some((part, later)) = open.split_first() else { return Ok(()) };
+    match *part {
+        Part::Pair(pair) => {
+            for order in [Signs::of(Relation::Less), Signs::ZERO, Signs::POSITIVE, Signs::ANY] {
+                if let Some(slot) = state.orders.get_mut(pair) {
+                    *slot = order;
+                }
+                if order != Signs::ANY {
+                    every_state(state, later, run)?;
+                }
             }
-            every_state(state, pairs, place + 1, run)?;
         }
-        return Ok(());
+        Part::Statement(place) => {
+            for truth in [Some(false), Some(true), None] {
+                if let Some(slot) = state.truths.get_mut(place) {
+                    *slot = truth;
+                }
+                if truth.is_some() {
+                    every_state(state, later, run)?;
+                }
+            }
+        }
     }
-    run(state)
+    Ok(())
 }
 
 impl Form {
-    fn holds(&self, state: &State) -> bool {
+    /// How many forms it is made of.
+    fn size(&self) -> usize {
         match self {
-            Form::Order(pair, signs) => state.orders.get(*pair).is_some_and(|order| order.within(*signs)),
-            Form::Statement(place) => state.truths.get(*place).copied().unwrap_or(false),
-            Form::And(list) => list.iter().all(|p| p.holds(state)),
-            Form::Or(list) => list.iter().any(|p| p.holds(state)),
-            Form::Not(inner) => !inner.holds(state),
-            Form::Implies(a, b) => !a.holds(state) || b.holds(state),
-            Form::Equivalent(list) => list.windows(2).all(|p| matches!(p, [a, b] if a.holds(state) == b.holds(state))),
+            Form::Order(..) | Form::Statement(_) => 1,
+            Form::And(list) | Form::Or(list) | Form::Equivalent(list) => 1 + list.iter().map(Form::size).sum::<usize>(),
+            Form::Not(inner) => 1 + inner.size(),
+            Form::Implies(a, b) => 1 + a.size() + b.size(),
         }
+    }
+
+    /// Adds its parts that are neither fixed nor listed.
+    fn open_parts(&self, state: &State, list: &mut Vec<Part>) {
+        match self {
+            Form::Order(pair, _) => {
+                let is_open = state.orders.get(*pair) == Some(&Signs::ANY);
+                if is_open && !list.iter().any(|part| matches!(part, Part::Pair(p) if p == pair)) {
+                    list.push(Part::Pair(*pair));
+                }
+            }
+            Form::Statement(place) => {
+                if !list.iter().any(|part| matches!(part, Part::Statement(s) if s == place)) {
+                    list.push(Part::Statement(*place));
+                }
+            }
+            Form::And(forms) | Form::Or(forms) | Form::Equivalent(forms) => {
+                forms.iter().for_each(|form| form.open_parts(state, list));
+            }
+            Form::Not(inner) => inner.open_parts(state, list),
+            Form::Implies(a, b) => [a, b].into_iter().for_each(|form| form.open_parts(state, list)),
+        }
+    }
+
+    /// Whether it is true; `None` where the state has not chosen for enough of its parts to tell. In a whole state it is never
+    /// `None`, and what a state tells all states tell that begin with it.
+    fn truth(&self, state: &State) -> Option<bool> {
+        match self {
+            Form::Order(pair, signs) => {
+                let possible = state.orders.get(*pair)?;
+                if possible.within(*signs) { Some(true) } else { possible.within(signs.others()).then_some(false) }
+            }
+            Form::Statement(place) => *state.truths.get(*place)?,
+            Form::And(list) => all_of(list.iter().map(|p| p.truth(state))),
+            Form::Or(list) => all_of(list.iter().map(|p| p.truth(state).map(|t| !t))).map(|none| !none),
+            Form::Not(inner) => inner.truth(state).map(|t| !t),
+            Form::Implies(a, b) => {
+                all_of([a.truth(state), b.truth(state).map(|t| !t)].into_iter()).map(|broken| !broken)
+            }
+            Form::Equivalent(list) => {
+                let truths = list.iter().map(|p| p.truth(state)).collect::<Option<Vec<bool>>>()?;
+                Some(truths.windows(2).all(|pair| matches!(pair, [a, b] if a == b)))
+            }
+        }
+    }
+
+    /// Whether it is true, in a whole state or in all that begin with this one.
+    fn holds(&self, state: &State) -> bool {
+        self.truth(state) == Some(true)
     }
 
     /// Adds what has a value where this proposition has one.
@@ -255,7 +327,18 @@ impl Form {
                 list.iter().all(|p| p.has_value(state, valued))
             }
             Form::Not(inner) => inner.has_value(state, valued),
-            Form::Implies(a, b) => a.has_value(state, valued) && (!a.holds(state) || b.has_value(state, valued)),
+            Form::Implies(a, b) => a.has_value(state, valued) && (a.truth(state) == Some(false) || b.has_value(state, valued)),
         }
     }
+}
+
+/// Whether all are true; `None` where none is false and one is open.
+fn all_of(mut truths: impl Iterator<Item = Option<bool>>) -> Option<bool> {
+    truths
+        .try_fold(Some(true), |all, truth| match truth {
+            Some(false) => Err(()),
+            Some(true) => Ok(all),
+            None => Ok(None),
+        })
+        .unwrap_or(Some(false))
 }
