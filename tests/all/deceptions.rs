@@ -92,6 +92,10 @@ const DECIDED: &[&str] = &[
     "symmetric-inequalities",
     "integral-test",
     "taylor-bounds",
+    "angles",
+    "arcs",
+    "inductions",
+    "integrals",
 ];
 
 /// What a procedure decided is not lost in silence, and what is true is never refuted.

@@ -327,7 +327,9 @@ impl Form {
                 list.iter().all(|p| p.has_value(state, valued))
             }
             Form::Not(inner) => inner.has_value(state, valued),
-            Form::Implies(a, b) => a.has_value(state, valued) && (a.truth(state) == Some(false) || b.has_value(state, valued)),
+            Form::Implies(a, b) => {
+                a.has_value(state, valued) && (a.truth(state) == Some(false) || b.has_value(state, valued))
+            }
         }
     }
 }

@@ -155,6 +155,7 @@ const DIRECT: &[Method] = &[
     row("ideals", ALL, LOUD, Undone, |c, goal| c.absurd_by_ideal(goal, &[ideal::FIRST_WORK])),
     row("ideals", EQUATION, LOUD, Undone, |c, goal| c.by_radical_ideal(goal)),
     row("the opposite", &[NotEqual, Less, Greater], LOUD, Undone, |c, goal| c.by_opposite(goal)),
+    row("units", ORDERS, LOUD, Own, |c, goal| c.by_scaling(goal)),
     // Last, for it tries many instances.
     row("instances", ALL, LOUD, Kept, |c, goal| c.by_universal_facts(goal)),
 ];

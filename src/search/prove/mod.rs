@@ -84,6 +84,7 @@ mod refutation;
 mod residues;
 mod root_bounds;
 mod roots_of_sides;
+mod scaling;
 mod sign_charts;
 mod signs_of_divisors;
 mod signs_of_parts;

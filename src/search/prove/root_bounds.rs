@@ -130,13 +130,15 @@ impl Prover {
         Err(no())
     }
 
-    /// An inequality of rational functions in positive variables. No equation is put in: those of roots would bring these back.
+    /// An inequality of rational functions in positive variables, or of exponentials. No equation is put in: those of roots would bring
+    /// these back.
     pub(super) fn without_roots(&mut self, goal: &Prop) -> Result<Label, Fail> {
         let equations = std::mem::take(&mut self.equations);
         let shown = self
             .attempt(|c| c.without_cases(goal))
             .or_else(|_| self.attempt(|c| c.by_differences(goal, 1..=3)))
-            .or_else(|_| self.attempt(|c| c.by_sums_of_squares(goal)));
+            .or_else(|_| self.attempt(|c| c.by_sums_of_squares(goal)))
+            .or_else(|_| self.attempt(|c| c.by_tangents(goal)));
         self.equations = equations;
         shown
     }

@@ -83,32 +83,35 @@ impl Prover {
         if !is_small(&target) {
             return Err(no());
         }
-        let known = self.near(std::slice::from_ref(&target));
         // The first factor of the rest is its number.
-        let number = if open.flip { -open.number } else { open.number };
+        let number = if open.flip { -open.number.clone() } else { open.number.clone() };
         let writing = Writing { number, rest: open.rest.get(1..).unwrap_or_default() };
+        let known = self.near(std::slice::from_ref(&target));
         let mut last = Err(no());
-        for (form, always) in self.forms(&target, &known, &open.rest, open.flip) {
-            // A form needs no equation any more, and only hypotheses that are forms.
-            let known: Vec<Known> = known.iter().filter(|k| always.is_empty() || is_form(&k.poly)).cloned().collect();
-            for (times, signs) in self.multipliers(&form) {
-                let Ok(whole) = form.try_mul(&times) else { continue };
-                let Some(parts) = self.parts(&whole, &known, whole.degree(), strict) else { continue };
-                let Some(found) = self.identity_of(&whole, &parts) else { continue };
-                let mut terms = self.terms_of(&found, &parts, &writing);
-                let times = (!times.is_one()).then(|| self.letters.written(&times));
-                terms.extend(always.iter().map(|term| Term {
-                    factor: product(times.iter().cloned().chain([term.factor.clone()]).collect()),
-                    ..term.clone()
-                }));
-                last = match times {
-                    Some(e) if !signs.within(Signs::NOT_ZERO) => {
-                        self.attempt(|c| c.by_multiplier_that_vanishes(goal, &target, &e, &terms))
+        for known in choices(&known, &target) {
+            for (form, always) in self.forms(&target, &known, &open.rest, open.flip) {
+                // A form needs no equation any more, and only hypotheses that are forms.
+                let known: Vec<Known> =
+                    known.iter().filter(|k| always.is_empty() || is_form(&k.poly)).cloned().collect();
+                for (times, signs) in self.multipliers(&form) {
+                    let Ok(whole) = form.try_mul(&times) else { continue };
+                    let Some(parts) = self.parts(&whole, &known, whole.degree(), strict) else { continue };
+                    let Some(found) = self.identity_of(&whole, &parts) else { continue };
+                    let mut terms = self.terms_of(&found, &parts, &writing);
+                    let times = (!times.is_one()).then(|| self.letters.written(&times));
+                    terms.extend(always.iter().map(|term| Term {
+                        factor: product(times.iter().cloned().chain([term.factor.clone()]).collect()),
+                        ..term.clone()
+                    }));
+                    last = match times {
+                        Some(e) if !signs.within(Signs::NOT_ZERO) => {
+                            self.attempt(|c| c.by_multiplier_that_vanishes(goal, &target, &e, &terms))
+                        }
+                        times => self.emit(Rule::Combination { times, terms }, goal.clone()),
+                    };
+                    if last.is_ok() {
+                        return last;
                     }
-                    times => self.emit(Rule::Combination { times, terms }, goal.clone()),
-                };
-                if last.is_ok() {
-                    return last;
                 }
             }
         }
@@ -343,6 +346,22 @@ impl Prover {
         }
         terms
     }
+}
+
+/// The facts that are used, in turn: equations alone, for which the program is small; all; those about the letters of the goal. What
+/// more facts say, fewer may show sooner, since a program with many products is harder to solve.
+fn choices(known: &[Known], target: &Polynomial) -> Vec<Vec<Known>> {
+    let all = known.to_vec();
+    let own = target.variables();
+    let of = |keep: &dyn Fn(&Known) -> bool| -> Vec<Known> { all.iter().filter(|k| keep(k)).cloned().collect() };
+    let equations = of(&|k| k.kind == Kind::Zero);
+    let about = of(&|k| k.poly.variables().iter().all(|v| own.contains(v)));
+    let (some, fewer) = (!equations.is_empty() && equations.len() < all.len(), about.len() < all.len());
+    let mut out = Vec::new();
+    out.extend(some.then_some(equations));
+    out.push(all);
+    out.extend(fewer.then_some(about));
+    out
 }
 
 /// The identity of a program where squares of single monomials suffice: a linear program finds it, with small weights.

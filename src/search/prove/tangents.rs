@@ -1,8 +1,10 @@
 //! The inequality 1 + x <= exp(x), tried for the exponentials and logarithms in a goal.
 
+use super::coefficients::rational;
 use super::comparison::single;
 use super::letters::{product, total, whole_power};
 use super::{Fail, Prover};
+use crate::algebra::Monomial;
 use crate::certificate::{Label, Rule, Term};
 use crate::claim::syntax::*;
 use crate::kernel::analysis::tangent;
@@ -163,17 +165,63 @@ impl Prover {
         }
         let times = |k: i64, e: &Expr| product(vec![literal(&Rational::from(k)), e.clone()]);
         let signed = |k: i64, e: &Expr| if k == 1 { e.clone() } else { times(k, e) };
-        let mut out: Vec<Expr> = single.iter().flat_map(|e| [signed(1, e), signed(-1, e)]).collect();
+        let mut out: Vec<Expr> = self.exponents_between_terms(goal);
+        let mut more: Vec<Expr> = single.iter().flat_map(|e| [signed(1, e), signed(-1, e)]).collect();
         for (i, a) in single.iter().enumerate() {
             for b in &single[i + 1..] {
                 for (j, k) in [(1, -1), (-1, 1), (1, 1), (-1, -1)] {
                     let terms = [signed(j, a), signed(k, b)].map(|e| (Sign::Plus, e));
-                    out.push(expr(ExprKind::Sum(terms.to_vec())));
+                    more.push(expr(ExprKind::Sum(terms.to_vec())));
                 }
             }
         }
+        out.extend(more);
         out.truncate(TANGENTS);
         out
+    }
+
+    /// Of the two terms of a comparison, the exponent by which the exponentials of one exceed those of the other, and its opposite:
+    /// 2·x^2 − 1 for exp(x^2)^2 and 2·x^2·exp(1). Where all powers are single ones it is a difference of exponents. Of more terms,
+    /// one with exponentials and others with a common factor: a − 1 − ln(x) for exp(a − 1) and a·x − x·ln(x).
+    fn exponents_between_terms(&mut self, goal: &Prop) -> Vec<Expr> {
+        let Ok(open) = self.open_factors(goal, 0) else { return Vec::new() };
+        let terms: Vec<Monomial> = open.poly.terms().map(|t| t.0.clone()).collect();
+        let scaled = |k: i64, e: Expr| (Sign::Plus, product(vec![literal(&Rational::from(k)), e]));
+        let (mut exponents, mut is_single) = (Vec::new(), true);
+        for m in &terms {
+            let mut own = Vec::new();
+            for (v, k) in m.powers() {
+                if let Some(Expr { kind: ExprKind::Apply(f, at), .. }) = self.letters.expr(*v)
+                    && let ("exp", [exponent]) = (f.text.as_str(), at.as_slice())
+                {
+                    is_single &= *k == 1;
+                    own.push((i64::from(*k), exponent.clone()));
+                }
+            }
+            exponents.push(own);
+        }
+        let of = |list: &[(i64, Expr)], sign: i64| list.iter().map(|(k, e)| scaled(sign * k, e.clone())).collect();
+        if let [first, second] = exponents.as_slice() {
+            let between = |sign: i64| {
+                let list: Vec<(Sign, Expr)> = of(first, sign);
+                total(list.into_iter().chain(of(second, -sign)).collect())
+            };
+            return if is_single { Vec::new() } else { vec![between(1), between(-1)] };
+        }
+        let moves = |k: &usize| exponents[*k].iter().any(|(_, e)| rational(e).is_none());
+        let with: Vec<usize> = (0..terms.len()).filter(moves).collect();
+        let [place] = with.as_slice() else { return Vec::new() };
+        let others = terms.iter().enumerate().filter(|(k, _)| k != place).map(|(_, m)| m.clone());
+        let common = others.reduce(|a, b| a.gcd(&b)).unwrap_or_else(Monomial::one);
+        let mut list: Vec<(Sign, Expr)> = of(&exponents[*place], 1);
+        for (v, k) in common.powers() {
+            let Some(e) = self.letters.expr(*v).cloned() else { return Vec::new() };
+            list.push(match &e.kind {
+                ExprKind::Apply(f, at) if f.text == "exp" => scaled(-i64::from(*k), at[0].clone()),
+                _ => scaled(-i64::from(*k), apply("ln", e)),
+            });
+        }
+        if common.is_one() { Vec::new() } else { vec![total(list)] }
     }
 
     /// x != 0 for a sum of logarithms, with little effort.
