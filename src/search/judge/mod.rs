@@ -22,7 +22,7 @@ use crate::explain::{self, Document};
 use crate::kernel::Accepted;
 use crate::kernel::statement::{compare, numeral};
 use crate::prove;
-use crate::refute::case::{Case, Stage, beyond, differing};
+use crate::refute::case::{Case, Stage, beyond, broken_off, differing};
 use crate::refute::catalogue::{Catalogue, Limits};
 use crate::refute::outcome::{Fault, Outcome, Point, Verdict};
 use hand::AtHand;
@@ -135,7 +135,8 @@ pub fn judge(
         &|done, name| hear(News::Begun(done, name)),
         &|claim, cited: &[&Judged]| {
             let is_asked = names.contains(&claim.name.text);
-            let judged = one(claim, cited, hand, if is_asked { settings } else { &silent });
+            let judged =
+                unless_it_breaks_off(claim, || one(claim, cited, hand, if is_asked { settings } else { &silent }));
             if is_asked {
                 hear(News::Judged(&claim.name.text, &judged.entry));
             }
@@ -148,6 +149,15 @@ pub fn judge(
         (name.clone(), entry.unwrap_or_else(|| Err(unknown(name))))
     });
     Judgement { entries: entries.collect(), judged }
+}
+
+/// What comes of judging a claim. An error of the search itself leaves it undecided and takes no other claim with it: what is proved
+/// or refuted, the kernel has accepted.
+fn unless_it_breaks_off(claim: &Claim, judge: impl FnOnce() -> Judged) -> Judged {
+    std::panic::catch_unwind(std::panic::AssertUnwindSafe(judge)).unwrap_or_else(|_| {
+        let outcome = broken_off(claim);
+        Judged { entry: Ok(Entry { claim: claim.clone(), outcome, proof: None, explained: None }), accepted: None }
+    })
 }
 
 /// Judges one claim.
@@ -409,5 +419,19 @@ fn instances<'c>(proof: &'c claim::Proof, into: &mut Vec<&'c str>) {
         Some(Method::Instance { claim, .. }) => into.push(&claim.text),
         Some(Method::Induction(_, steps)) => instances(steps, into),
         _ => {}
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_error_of_the_search_takes_other_claims_with_it() {
+        let claim = crate::claim::parse::parse("claim c \"c\"\ngiven x real\nprove x = x\n").unwrap().remove(0);
+        let judged = unless_it_breaks_off(&claim, || [0usize; 0].first().map(|_| unreachable!()).unwrap());
+        let outcome = judged.entry.unwrap().outcome;
+        assert_eq!(outcome.verdict, Verdict::Undecided);
+        assert!(outcome.reason.unwrap().contains("broke off") && judged.accepted.is_none());
     }
 }

@@ -12,7 +12,7 @@ use super::limits::over;
 use super::products::{Kind, Known};
 use super::{Fail, Prover};
 use crate::algebra::{Monomial, Polynomial};
-use crate::certificate::{Label, Term};
+use crate::certificate::{Label, Rule, Term};
 use crate::claim::syntax::*;
 use crate::kernel::order::Signs;
 use crate::kernel::statement::{apply, compare, expr, numeral, power};
@@ -100,15 +100,23 @@ impl Prover {
         }
         let t = total(parts);
         self.define(&t);
-        self.split_logarithms(goal);
+        let ordered = compare(t.clone(), order, numeral(0));
+        self.split_logarithms(&ordered);
         self.within_logarithms = true;
-        let shown = self.without_cases(&compare(t.clone(), order, numeral(0)));
+        let shown = self.without_cases(&ordered);
         self.within_logarithms = false;
         let shown = shown?;
         let tangent = self.tangent_fact(&t)?;
         let factor = |k: i64| product(vec![literal(&Rational::from(k)), less.clone()]);
         let line = Term { facts: vec![tangent], factor: factor(-sign) };
-        self.combination(goal.clone(), vec![line, Term { facts: vec![shown], factor: factor(sign) }])
+        let mut terms = vec![line, Term { facts: vec![shown], factor: factor(sign) }];
+        self.attempt(|c| c.combination(goal.clone(), terms.clone())).or_else(|_| {
+            // exp(n·ln(x)) is not read as x^n where n is a whole number: the rules for powers say so.
+            let whole = compare(apply("exp", t), Relation::Equal, over(greater.clone(), less.clone()));
+            let whole = self.plainly(Rule::Power, &whole)?;
+            terms.push(Term { facts: vec![whole], factor: factor(-sign) });
+            self.combination(goal.clone(), terms)
+        })
     }
 
     /// Proves a comparison of x^n with exp(n·y) from that with exp(y)^n.

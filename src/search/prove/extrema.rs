@@ -25,7 +25,11 @@ impl Prover {
         let relation = if e.maximum { Relation::LessEqual } else { Relation::GreaterEqual };
         let bound = every(compare(e.of.clone(), relation, e.value.clone()));
         self.stationary = STATIONARY;
-        from.push(self.on_its_own(|c| c.show(&bound)).map_err(|fail| fail.within("the bound"))?);
+        let place = e.at.iter().map(|(n, value)| (n.text.clone(), value.clone())).collect();
+        let outer = std::mem::replace(&mut self.extremal_place, place);
+        let shown = self.on_its_own(|c| c.show(&bound));
+        self.extremal_place = outer;
+        from.push(shown.map_err(|fail| fail.within("the bound"))?);
         if e.unique {
             let shown = self.only_there(e, from.last().cloned().unwrap_or_default());
             from.push(shown.map_err(|fail| fail.within("only at the place"))?);

@@ -67,7 +67,15 @@ impl Prover {
         let no = || Fail::No("a logarithm of a product");
         let ExprKind::Apply(_, at) = &log.kind else { return Err(no()) };
         let [u] = at.as_slice() else { return Err(no()) };
-        let reading = self.read(u, false).ok_or_else(no)?;
+        let mut reading = self.read(u, true).ok_or_else(no)?;
+        // -(a - 1)·m is (1 - a)·m.
+        let negative = |f: &&mut super::facts::Factored| f.power % 2 != 0 && f.signs.within(Signs::of(Relation::Less));
+        if reading.number < 0
+            && let Some(factor) = reading.factors.iter_mut().find(negative)
+        {
+            factor.poly = factor.poly.neg();
+            reading.number = -reading.number;
+        }
         let plain = reading.factors.len() == 1 && reading.factors[0].power == 1 && reading.number == 1;
         if plain || reading.factors.is_empty() || reading.number <= 0 {
             return Err(no());

@@ -36,11 +36,16 @@ impl Prover {
             // t^r for r >= 1 lies above its tangent: the mean of t^r and 1 with weight 1/r.
             let inverse = super::limits::over(one.clone(), p.clone());
             let whole = crate::kernel::statement::power(&b, &p);
-            let mut tries = vec![(one.clone(), b.clone(), p.clone()), (one.clone(), whole, inverse)];
+            let mut tries = vec![(one.clone(), b.clone(), p.clone()), (one.clone(), whole.clone(), inverse.clone())];
             for (a, q) in &powers {
                 let gap = super::facts::minus(q, &one_minus(&p));
                 if self.is_zero(&gap) {
                     tries.push((a.clone(), b.clone(), p.clone()));
+                }
+                // W. H. Young's inequality: the mean of a^q and b^p, where 1/p + 1/q = 1.
+                let gap = super::facts::minus(&super::limits::over(one.clone(), q.clone()), &one_minus(&inverse));
+                if self.is_zero(&gap) {
+                    tries.push((power(a, q), whole.clone(), inverse.clone()));
                 }
             }
             for (a, b, p) in tries {

@@ -126,15 +126,18 @@ const DIRECT: &[Method] = &[
     row("weak orders", STRICT, LOUD, Own, |c, goal| c.by_weak_order(goal)),
     row("Hölder's inequality", ORDERS, LOUD, Own, |c, goal| c.by_hoelder(goal, false)),
     row("values at means", ORDERS, LOUD, Own, |c, goal| c.by_jensen(goal)),
-    row("weighted means", ALL, LOUD, Kept, |c, goal| c.by_means(goal)),
+    row("weighted means", ALL, LOUD, Kept, |c, goal| {
+        c.attempt(|c| c.by_means(goal)).or_else(|_| c.with_solved_equations(|c| c.by_means(goal)))
+    }),
     row("means", ALL, LOUD, Undone, |c, goal| c.by_means_of_many(goal)),
     // The same with variables written by others, as c = 1/(a·b) where a·b·c = 1.
     row("means", ALL, LOUD, Kept, |c, goal| c.with_solved_equations(|c| c.by_means_of_many(goal))),
     row("tangents", ALL, LOUD, Undone, |c, goal| c.by_tangents(goal)),
+    row("sums of tangents", ORDERS, LOUD, Own, |c, goal| c.by_tangent_sums(goal)),
     row("sign charts", ALL, LOUD, Half, |c, goal| c.by_sign_chart(goal)),
     row("values of one function", ALL, LOUD, Kept, |c, goal| c.by_common_function(goal)),
     row("an equation that fails", ALL, LOUD, Undone, |c, goal| c.by_failing_equation(goal)),
-    row("logarithms of the sides", ALL, LOUD, Undone, |c, goal| c.by_logarithms(goal)),
+    row("logarithms of the sides", ALL, LOUD, Own, |c, goal| c.by_logarithms(goal)),
     row("sums in closed form", ALL, LOUD, Undone, |c, goal| c.by_sums(goal)),
     row("tails of sums", ALL, LOUD, Undone, |c, goal| c.by_what_is_left(goal)),
     row("integral test", ORDERS, LOUD, Own, |c, goal| c.by_integral_test(goal)),

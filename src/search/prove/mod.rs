@@ -97,6 +97,7 @@ mod substitutions;
 mod sums;
 mod sums_of_squares;
 mod tails;
+mod tangent_sums;
 mod tangents;
 mod taylor;
 mod taylor_bounds;
@@ -294,6 +295,8 @@ pub(crate) struct Prover {
     charts: usize,
     /// How many more goals may be tried at stationary points.
     stationary: usize,
+    /// The place of the extremum whose bound is being shown.
+    extremal_place: Vec<(String, Expr)>,
     /// Number of such attempts that are nested now.
     slopes_open: usize,
     /// Signs of divisors that were shown for all values of a natural variable.
@@ -380,6 +383,7 @@ impl Prover {
             slopes: 0,
             charts: 0,
             stationary: slopes::STATIONARY,
+            extremal_place: Vec::new(),
             slopes_open: 0,
             signs_for_all: Vec::new(),
             within_powers: false,

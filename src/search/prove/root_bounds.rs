@@ -208,7 +208,12 @@ impl Prover {
         let whole = |power: i64| power / i64::from(q);
         let left = |f: &Factored| f.power - whole(f.power) * i64::from(q);
         let value = |p: &Polynomial| p.evaluate(&|_| equal.at.clone());
-        let inside = factors.iter().fold(number.clone(), |all, f| all * power_of(&value(&f.poly), left(f)));
+        // A factor that is 0 there has no power below 0, and no slope in proportion to it.
+        let under: Vec<&Factored> = factors.iter().filter(|f| left(f) != 0).collect();
+        if under.iter().any(|f| value(&f.poly) == 0) {
+            return None;
+        }
+        let inside = under.iter().fold(number.clone(), |all, f| all * power_of(&value(&f.poly), left(f)));
         // Where that is no rational number, the value of Y does not matter.
         let root = Some(inside).filter(|v| *v > 0)?.checked_root(u64::from(q)).unwrap_or(Rational::ONE);
         let beside: Vec<Expr> =
@@ -216,7 +221,10 @@ impl Prover {
         let degree: i64 = factors.iter().map(|f| left(f) * i64::from(f.poly.degree())).sum();
         let mut out: Vec<Expr> = Vec::new();
         let mut push = |forms: &[(&Polynomial, i64)]| {
-            let at = forms.iter().fold(root.clone(), |all, (p, k)| all / power_of(&value(p), *k));
+            if forms.iter().any(|(p, k)| *k != 0 && value(p) == 0) {
+                return;
+            }
+            let at = forms.iter().filter(|f| f.1 != 0).fold(root.clone(), |all, (p, k)| all / power_of(&value(p), *k));
             let own = forms.iter().map(|(p, k)| whole_power(self.letters.written(p), *k));
             let y = product([literal(&at)].into_iter().chain(beside.iter().cloned()).chain(own).collect());
             if out.len() < CHOICES && !out.contains(&y) {
@@ -231,13 +239,13 @@ impl Prover {
             let squares = letters.iter().fold(Polynomial::zero(), |s, v| s.add(&v.mul(v)));
             let pairs = all.mul(&all).sub(&squares);
             push(&[(&all, degree)]);
-            for f in factors.iter().filter(|f| left(f) != 0) {
+            for f in &under {
                 let up = left(f).signum();
                 push(&[(&f.poly, up), (&all, degree - up * i64::from(f.poly.degree()))]);
             }
             // The slopes of the root there, in proportion to it.
             let slopes = equal.variables.iter().map(|v| {
-                let own = factors.iter().map(|f| {
+                let own = under.iter().map(|f| {
                     let slope = value(&f.poly.derivative(*v)) / value(&f.poly);
                     slope * &equal.at * Rational::from(left(f)) / Rational::from(q)
                 });

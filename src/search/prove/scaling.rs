@@ -8,6 +8,8 @@
 //! Numbers are units as well: w·(1 − w^2) <= 2/(3·√3) is 3·t − t^3 <= 2 at t = √3·w. There exponents count modulo the order of the
 //! root.
 //!
+//! A hypothesis about quotients, x^2/a^2 + y^2/b^2 = 1, speaks of these: the goal is shown for x = a·t.
+//!
 //! Certificate: the goal without units for all values of its variables, an instance of it, and a combination with p^D.
 //!
 //! Limits: [`UNITS`], [`VARIABLES`], [`VARIABLES_OF_ROOTS`], [`ORDER`].
@@ -200,10 +202,8 @@ struct Rescaled {
 impl Prover {
     /// Shows a comparison with parameters, or with roots of numbers, by that in which they are 1.
     pub(super) fn by_scaling(&mut self, goal: &Prop) -> Result<Label, Fail> {
-        let rescaled = match self.with_units(goal) {
-            Some(rescaled) => rescaled,
-            None => self.without_roots_of_numbers(goal).ok_or(Fail::No("a variable that is a unit"))?,
-        };
+        let rescaled = self.with_units(goal).or_else(|| self.without_roots_of_numbers(goal));
+        let rescaled = rescaled.or_else(|| self.with_quotients(goal)).ok_or(Fail::No("a variable that is a unit"))?;
         let Rescaled { point, premises, body, multiple, mut terms } = rescaled;
         let premise = match premises.as_slice() {
             [] => None,
@@ -280,7 +280,7 @@ impl Prover {
                 ExprKind::Power(base, exponent) => {
                     let order = rational(exponent).filter(|q| *q.numerator_ref() == 1u32)?;
                     let order = u32::try_from(order.denominator_ref()).ok().filter(|order| *order <= ORDER)?;
-                    roots.push((v, order, rational(base)?));
+                    roots.push((v, order, rational(base).filter(|number| *number > 0)?));
                 }
                 _ => return None,
             }
@@ -357,6 +357,36 @@ impl Prover {
         })
     }
 
+    /// The goal and its hypotheses with names for quotients of variables that hypotheses speak of.
+    fn with_quotients(&mut self, goal: &Prop) -> Option<Rescaled> {
+        let real = self.real_names(goal);
+        let mut quotients: Vec<(String, String)> = Vec::new();
+        for (label, fact) in self.facts() {
+            if !is_shown(&label) && fact.single().is_some() {
+                let mut sides = Vec::new();
+                super::goals::sides_in(&fact, &mut sides);
+                sides.iter().for_each(|e| quotients_in(e, &mut quotients));
+            }
+        }
+        let (mut map, mut point) = (Substitution::default(), Vec::new());
+        for (x, a) in quotients.iter().filter(|(x, _)| real.contains(x)) {
+            let is_apart = quotients.iter().all(|(y, b)| b != x && (y != x || b == a));
+            if is_apart && self.signs_of(&name(a)).within(Signs::NOT_ZERO) && point.len() < VARIABLES_OF_ROOTS {
+                let own = self.fresh("t");
+                map.replace(x, &product(vec![name(a), name(&own)]));
+                point.push((own, x.clone(), over(name(x), name(a))));
+            }
+        }
+        if point.is_empty() {
+            return None;
+        }
+        let premises =
+            self.stated_of(&point, &|_| true).iter().map(|fact| map.prop(fact).ok()).collect::<Option<_>>()?;
+        let body = map.prop(goal).ok()?;
+        let point = point.into_iter().map(|(own, _, value)| (own, value)).collect();
+        Some(Rescaled { point, premises, body, multiple: numeral(1), terms: Vec::new() })
+    }
+
     /// The real variables of a proposition.
     fn real_names(&self, p: &Prop) -> Vec<String> {
         let mut names = BTreeSet::new();
@@ -367,8 +397,7 @@ impl Prover {
 
     /// What the claim states about variables that get new names, as single comparisons that these agree with.
     fn stated_of(&self, point: &[(String, String, Expr)], agrees: &dyn Fn(&Prop) -> bool) -> Vec<Prop> {
-        let shown = |label: &str| label.bytes().all(|b| b.is_ascii_digit());
-        let facts = self.facts().into_iter().filter(|(label, fact)| !shown(label) && fact.single().is_some());
+        let facts = self.facts().into_iter().filter(|(label, fact)| !is_shown(label) && fact.single().is_some());
         let moves = |fact: &Prop| {
             let mut names = BTreeSet::new();
             names_in_prop(fact, &mut names);
@@ -376,4 +405,32 @@ impl Prover {
         };
         facts.map(|(_, fact)| (*fact).clone()).filter(|fact| moves(fact) && agrees(fact)).collect()
     }
+}
+
+/// Whether a fact was shown by a step, and not stated.
+fn is_shown(label: &str) -> bool {
+    label.bytes().all(|b| b.is_ascii_digit())
+}
+
+/// The quotients x/a, or x^k/a^k, of two names in an expression, each once.
+fn quotients_in(e: &Expr, out: &mut Vec<(String, String)>) {
+    if let ExprKind::Product(list) = &e.kind {
+        let named = |e: &Expr| match &e.kind {
+            ExprKind::Name(x) => Some((x.clone(), Rational::ONE)),
+            ExprKind::Power(base, exponent) => match &base.kind {
+                ExprKind::Name(x) => Some((x.clone(), rational(exponent)?)),
+                _ => None,
+            },
+            _ => None,
+        };
+        let of = |operator: Factor| list.iter().filter(move |f| f.0 == operator).filter_map(move |f| named(&f.1));
+        for (x, k) in of(Factor::Times) {
+            if let Some((a, _)) = of(Factor::Over).find(|(a, own)| *own == k && *a != x)
+                && !out.contains(&(x.clone(), a.clone()))
+            {
+                out.push((x, a));
+            }
+        }
+    }
+    crate::claim::walk::parts(e, &mut |part| quotients_in(part, out));
 }

@@ -191,6 +191,12 @@ pub(crate) fn beyond(claim: &Claim, limit: &'static str) -> Outcome {
     undecided(&claim.name.text, Some(limit_reached(limit)), Some(limit))
 }
 
+/// The outcome of a claim at which the search met an error of its own.
+pub(crate) fn broken_off(claim: &Claim) -> Outcome {
+    let reason = "the search broke off at an error of its own; please report this claim with the message before";
+    undecided(&claim.name.text, Some(reason.to_string()), None)
+}
+
 /// The outcome of a claim that adds or compares different dimensions: it says nothing of quantities that may be true, whatever
 /// its numbers are.
 pub(crate) fn differing(claim: &Claim, mismatch: &Mismatch) -> Outcome {
