@@ -703,6 +703,17 @@ class Checker(Logic):
             expected = compare(a, "<=", f) if below else compare(f, "<=", a)
             need(same(at(n, bound[2]), expected), f"needs {text(expected)}")
 
+    def rule_along(self, goal, s, known):
+        """The limit of F as x grows from that of F with exp(y) for x as y grows: ln(x) grows without bound, and x is its exponential.
+        What holds for all great real numbers holds for the natural ones."""
+        self.grows(goal)
+        fact = self.fact(s.sources[0])
+        need(not self.grows(fact), "the bound holds for natural numbers only")
+        x, y = goal[2], fact[2]
+        need(not {x, y} & names_in(goal[3]) and same(goal[3], fact[3]), "the limit is another")
+        need(x == y or y not in names_in(goal[1]), "the limit is another")
+        need(same(put(goal[1], {x: N("call", "exp", (N("name", y),))}), fact[1]), "the limit is another")
+
     def rule_eventually(self, goal, s, known):
         """`exists N …: for all k …: CHAIN` from the limit L of G as v grows. Each comparison of the chain is one of G, with k for
         v, and of an expression c.
@@ -769,7 +780,7 @@ COUNTS = {"suppose": (0, 0), "let": (0, 0), "logic": (0, 999), "instance": (1, 9
           "monotone": (1, 1), "unfold": (0, 0), "termwise": (1, 1), "mean": (0, 0), "tangent": (0, 0), "circle": (0, 0),
           "arc": (0, 0),
           "limit": (0, 0), "slope": (1, 999), "intermediate": (2, 999),
-          "squeeze": (4, 4), "eventually": (1, 1), "integer": (1, 1), "evaluate": (0, 0)}
+          "squeeze": (4, 4), "along": (1, 1), "eventually": (1, 1), "integer": (1, 1), "evaluate": (0, 0)}
 
 WITH = ("instance", "witness", "mean", "tangent", "circle", "slope", "intermediate", "limit")
 

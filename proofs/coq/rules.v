@@ -21,6 +21,7 @@ rule slope: slope, slope_between, smooth_on, slope_integral, differentiable, slo
 rule intermediate: intermediate, smooth_on, differentiable
 rule limit: lim_inv, lim_seq_inv
 rule squeeze: squeeze_lim, squeeze_seq
+rule along: along_lim, along_seq
 rule eventually: eventually_lim, eventually_seq
 rule termwise: sum_ext2, product_ext2, sum_le2, termwise
 rule integer: whole_step, is_whole
@@ -474,6 +475,16 @@ Qed.
 Lemma squeeze_lim : forall f lo hi (v : R) b, (forall x : R, x > b -> lo x <= f x /\ f x <= hi x) -> is_lim lo p_infty v -> is_lim hi p_infty v -> is_lim f p_infty v.
 Proof.
   intros f lo hi v b h hl hh. apply (is_lim_le_le_loc lo hi f p_infty v); [| exact hl | exact hh]. exists b. intros x hx. apply h. lra.
+Qed.
+Lemma along_lim : forall (f : R -> R) (v : R), is_lim (fun y => f (exp y)) p_infty v -> is_lim f p_infty v.
+Proof.
+  intros f v h. apply (is_lim_ext_loc (fun x => f (exp (ln x)))).
+  - exists 0. intros x hx. now rewrite exp_ln.
+  - apply (is_lim_comp (fun y => f (exp y)) ln p_infty v p_infty h is_lim_ln_p). now exists 0.
+Qed.
+Lemma along_seq : forall (f : R -> R) (v : R), is_lim (fun y => f (exp y)) p_infty v -> is_lim_seq (fun n => f (INR n)) v.
+Proof.
+  intros f v h. apply (is_lim_comp_seq f INR p_infty); [now apply along_lim | now exists 0%nat | apply is_lim_seq_INR].
 Qed.
 Lemma eventually_lim : forall (f : R -> R) (v e b : R), is_lim f p_infty v -> 0 < e -> exists N, N > b /\ forall x, x >= N -> v - e < f x < v + e.
 Proof.

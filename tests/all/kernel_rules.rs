@@ -96,7 +96,7 @@ fn examples_of_the_page_about_the_format() {
         }
     }
     // One for each rule, a second for `slope` and for `arc`; `suppose` and `let` share one; and two refutations.
-    assert_eq!(count, 28);
+    assert_eq!(count, 29);
 }
 
 /// Propositions are compared by their keys.

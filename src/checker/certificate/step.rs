@@ -186,6 +186,11 @@ pub enum Rule {
         /// Lower bound for all values, upper bound, and the limits of both.
         from: Vec<Label>,
     },
+    /// A limit as x grows from that with exp(y) in the place of x.
+    Along {
+        /// The limit as y grows.
+        from: Label,
+    },
     /// What a limit says of all values from some number on.
     Eventually {
         /// The limit.
@@ -225,6 +230,7 @@ impl Rule {
             Rule::Intermediate { .. } => "intermediate",
             Rule::Limit { .. } => "limit",
             Rule::Squeeze { .. } => "squeeze",
+            Rule::Along { .. } => "along",
             Rule::Eventually { .. } => "eventually",
             Rule::Integer { .. } => "integer",
             Rule::Name => "name",
@@ -260,9 +266,11 @@ impl Rule {
             }
             Rule::Induction { base, advance } => vec![base, advance],
             Rule::Existence { some, all } => vec![some, all],
-            Rule::Monotone { from } | Rule::Termwise { from } | Rule::Integer { from } | Rule::Eventually { from } => {
-                vec![from]
-            }
+            Rule::Monotone { from }
+            | Rule::Termwise { from }
+            | Rule::Integer { from }
+            | Rule::Along { from }
+            | Rule::Eventually { from } => vec![from],
             _ => Vec::new(),
         }
     }
@@ -291,9 +299,11 @@ impl Show {
             }
             Rule::Induction { base, advance } => each(&mut [base, advance].into_iter()),
             Rule::Existence { some, all } => each(&mut [some, all].into_iter()),
-            Rule::Monotone { from } | Rule::Termwise { from } | Rule::Integer { from } | Rule::Eventually { from } => {
-                each(&mut std::iter::once(from));
-            }
+            Rule::Monotone { from }
+            | Rule::Termwise { from }
+            | Rule::Integer { from }
+            | Rule::Along { from }
+            | Rule::Eventually { from } => each(&mut std::iter::once(from)),
             Rule::Combination { terms, .. } => each(&mut terms.iter_mut().flat_map(|term| &mut term.facts)),
             Rule::Suppose
             | Rule::Let

@@ -340,6 +340,7 @@ fn finished(draft: Draft) -> Result<Show, Fault> {
             | "slope"
             | "intermediate"
             | "squeeze"
+            | "along"
             | "eventually"
             | "integer"
     );
@@ -380,6 +381,7 @@ fn finished(draft: Draft) -> Result<Show, Fault> {
         "intermediate" => Rule::Intermediate { with, from: given.by_ref().collect() },
         "limit" => Rule::Limit { with },
         "squeeze" => Rule::Squeeze { from: given.by_ref().collect() },
+        "along" => Rule::Along { from: one(&mut given)? },
         "eventually" => Rule::Eventually { from: one(&mut given)? },
         "integer" => Rule::Integer { from: one(&mut given)? },
         _ => return Err(Fault::UnknownRule(rule)),

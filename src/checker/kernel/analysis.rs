@@ -235,4 +235,38 @@ impl Checker {
         }
         Ok(())
     }
+
+    /// Rule `along`: the limit of F as x grows from that of G as y grows, which is F with exp(y) in the place of x.
+    ///
+    /// Sound: for x > 0, F at x is G at y = ln(x), for x = exp(ln(x)), and ln(x) grows without bound. What holds for all great
+    /// real numbers holds for the natural ones. y is no other name in F, and the limit mentions neither x nor y.
+    pub(super) fn along(&mut self, goal: &Prop, from: &str) -> Result<(), Refusal> {
+        let PropKind::Limit(limit) = &goal.kind else { return rejected(Reason::NotALimit) };
+        let source = self.fact(from)?;
+        let PropKind::Limit(other) = &source.kind else { return rejected(Reason::NotALimit) };
+        let (x, y) = (&limit.variable.text, &other.variable.text);
+        self.kind_of(x)?;
+        if self.kind_of(y)? {
+            return rejected(Reason::NotUnbounded);
+        }
+        let mentions = |e: &Expr, name: &str| {
+            let mut names = std::collections::BTreeSet::new();
+            super::names::names_in(e, &mut names);
+            names.contains(name)
+        };
+        if key::expr(&limit.value) != key::expr(&other.value)
+            || mentions(&limit.value, x)
+            || mentions(&limit.value, y)
+            || (x != y && mentions(&limit.of, y))
+        {
+            return rejected(Reason::OtherLimit);
+        }
+        let mut map = super::substitution::Substitution::default();
+        map.replace(x, &super::statement::apply("exp", super::statement::name(y)));
+        let expected = map.expr(&limit.of)?;
+        if key::expr(&expected) != key::expr(&other.of) {
+            return rejected(Reason::OtherLimit);
+        }
+        Ok(())
+    }
 }

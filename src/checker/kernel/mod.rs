@@ -502,6 +502,7 @@ impl Checker {
             Rule::Intermediate { with, from } => self.intermediate(goal, with, from, known)?,
             Rule::Limit { with } => self.limit(goal, with, known)?,
             Rule::Squeeze { from } => self.squeeze(goal, from)?,
+            Rule::Along { from } => self.along(goal, from)?,
             Rule::Eventually { from } => self.eventually(goal, from, known)?,
             Rule::Integer { from } => self.integer(goal, from, known)?,
             Rule::Name => self.name(goal, known)?,

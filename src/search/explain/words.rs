@@ -360,6 +360,13 @@ impl<'a> Words<'a> {
                 lead.push(say(", the expression lies between two others with the same limit. Hence"));
                 lead
             }
+            Rule::Along { from } => {
+                vec![
+                    say("The exponential grows without bound and takes every positive value, so by "),
+                    fact(from),
+                    say(","),
+                ]
+            }
             Rule::Eventually { from } => {
                 vec![say("The values are near their limit from some number on, so by "), fact(from), say(",")]
             }

@@ -137,7 +137,15 @@ pub(super) fn method(certificate: &Certificate, shown: &Accepted) -> &'static st
     let any = |is: &dyn Fn(&Show) -> bool| steps.iter().any(|step| is(step));
     let families = families(shown);
     let order: [(&Is, &str); 13] = [
-        (&|s| matches!(s.rule, Rule::Limit { .. } | Rule::Squeeze { .. } | Rule::Eventually { .. }), "limit"),
+        (
+            &|s| {
+                matches!(
+                    s.rule,
+                    Rule::Limit { .. } | Rule::Squeeze { .. } | Rule::Along { .. } | Rule::Eventually { .. }
+                )
+            },
+            "limit",
+        ),
         (&|s| matches!(s.rule, Rule::Extremum { .. }), "extremum"),
         (&|s| matches!(s.rule, Rule::Induction { .. }), "induction"),
         (&|s| matches!(s.rule, Rule::Mean { .. }), "mean inequality"),

@@ -2,13 +2,14 @@
 
 use super::facts::minus as difference;
 use super::letters::{natural, product, whole_power};
+use super::slopes::put_in;
 use super::{Fail, Prover};
 use crate::algebra::Polynomial;
 use crate::certificate::{Label, Rule, Term};
 use crate::claim::syntax::*;
 use crate::kernel::names::names_in;
 use crate::kernel::order::Signs;
-use crate::kernel::statement::{compare, expr, name, numeral, prop};
+use crate::kernel::statement::{apply, compare, expr, name, numeral, prop};
 use crate::kernel::substitution::Substitution;
 use crate::refute::literal::literal;
 use malachite::Rational;
@@ -23,6 +24,9 @@ pub(super) fn plus(a: &Expr, b: Expr) -> Expr {
 pub(super) fn over(a: Expr, b: Expr) -> Expr {
     expr(ExprKind::Product(vec![(Factor::Times, a), (Factor::Over, b)]))
 }
+
+/// How often an exponential is put in for what grows: for ln(ln(x)) twice.
+const EXPONENTIALS: usize = 2;
 
 /// Whether a name occurs in an expression.
 pub(super) fn holds(e: &Expr, variable: &str) -> bool {
@@ -126,6 +130,35 @@ impl Prover {
             .any(|relation| self.quietly(&compare(lead.clone(), relation, numeral(0))).is_ok())
     }
 
+    /// A limit of what holds ln(x), with exp(y) in the place of x: logarithms grow more slowly than all powers, but y does not.
+    fn along_an_exponential(&mut self, goal: &Prop, l: &Limit) -> Result<Label, Fail> {
+        let x = &l.variable.text;
+        if self.exponentials >= EXPONENTIALS || !has_logarithm_of(&l.of, x) {
+            return Err(Fail::No("a logarithm of what grows"));
+        }
+        self.exponentials += 1;
+        let shown = self.attempt(|c| {
+            if !c.is_whole(&name(x)) {
+                return c.along(goal, l, l.variable.clone());
+            }
+            let y = Name::new(&c.fresh("y"));
+            let every = prop(PropKind::ForAll(vec![Binding::of(y.clone(), false, Vec::new())], Box::new(goal.clone())));
+            let every = c.block(&every, |c, _| c.along(goal, l, y.clone()))?;
+            let here = vec![(y, numeral(0))];
+            c.emit(Rule::Instance { source: every, with: here, from: Vec::new() }, goal.clone())
+        });
+        self.exponentials -= 1;
+        shown
+    }
+
+    /// By rule `along`, from the limit as y grows.
+    fn along(&mut self, goal: &Prop, l: &Limit, y: Name) -> Result<Label, Fail> {
+        let of = put_in(&l.of, &l.variable.text, &apply("exp", name(&y.text)))?;
+        let other = Limit { of, variable: y, value: l.value.clone() };
+        let from = self.limit(&prop(PropKind::Limit(Box::new(other.clone()))), &other)?;
+        self.emit(Rule::Along { from }, goal.clone())
+    }
+
     fn squeezed(&mut self, goal: &Prop, l: &Limit) -> Result<Label, Fail> {
         let n = name(&l.variable.text);
         let closed = super::integrals::with_values_of_integrals(&l.of);
@@ -144,6 +177,9 @@ impl Prover {
             return Ok(label);
         }
         if let Ok(label) = self.with_half_of_the_time(|c| c.by_expansion(goal, l)) {
+            return Ok(label);
+        }
+        if let Ok(label) = self.on_its_own(|c| c.along_an_exponential(goal, l)) {
             return Ok(label);
         }
         if let Ok(label) = self.on_its_own(|c| c.within_falling_bounds(goal, l)) {
@@ -348,5 +384,15 @@ pub(crate) fn turns(e: &Expr, x: &str) -> bool {
     let mut found = matches!(&e.kind, ExprKind::Apply(f, list)
         if matches!(f.text.as_str(), "sin" | "cos") && list.iter().any(|e| holds(e, x)));
     crate::refute::expand::parts(e, &mut |part| found |= turns(part, x));
+    found
+}
+
+/// Whether the logarithm of something in which a variable stands occurs.
+fn has_logarithm_of(e: &Expr, x: &str) -> bool {
+    if matches!(&e.kind, ExprKind::Apply(f, list) if f.text == "ln" && list.iter().any(|u| holds(u, x))) {
+        return true;
+    }
+    let mut found = false;
+    crate::claim::walk::parts(e, &mut |part| found |= has_logarithm_of(part, x));
     found
 }

@@ -295,6 +295,8 @@ pub(crate) struct Prover {
     charts: usize,
     /// How many more goals may be tried at stationary points.
     stationary: usize,
+    /// How many exponentials are put in for what grows.
+    exponentials: usize,
     /// The place of the extremum whose bound is being shown.
     extremal_place: Vec<(String, Expr)>,
     /// Number of such attempts that are nested now.
@@ -383,6 +385,7 @@ impl Prover {
             slopes: 0,
             charts: 0,
             stationary: slopes::STATIONARY,
+            exponentials: 0,
             extremal_place: Vec::new(),
             slopes_open: 0,
             signs_for_all: Vec::new(),

@@ -402,6 +402,7 @@ impl Writer<'_> {
             Rule::Termwise { from } => format!("termwise {}", fact(from)),
             Rule::Limit { with, .. } => self.limit(goal, with, &given)?,
             Rule::Squeeze { from } => self.squeeze(goal, from)?,
+            Rule::Along { from } => self.along(goal, from)?,
             Rule::Eventually { .. } => return Err(Open::Untranslated(show.label.clone(), "eventually")),
             Rule::Evaluate => self.evaluate(&show.using)?,
             Rule::Integer { from } => self.integer(goal, from, &given)?,

@@ -70,6 +70,16 @@ impl Writer<'_> {
         ))
     }
 
+    /// A limit from that with an exponential in the place of the variable.
+    pub(super) fn along(&mut self, goal: &Prop, from: &Label) -> Found<String> {
+        let PropKind::Limit(limit) = &goal.kind else {
+            return Err(Open::Untranslated("along".to_string(), "a goal"));
+        };
+        let natural = is_natural(&name(&limit.variable.text), &self.printer.kinds);
+        let lemma = if natural { "along_seq" } else { "along_lim" };
+        Ok(format!("refine ({lemma} _ _ _); exact {}", fact(from)))
+    }
+
     /// A derivative that stands in an expression: what it comes to by itself, then the equations.
     pub(super) fn derivative_leaf(
         &mut self,
