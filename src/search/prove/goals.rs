@@ -131,7 +131,11 @@ impl Prover {
         let (all, inner) = together(bindings, body);
         let mut point: Vec<(String, Expr)> = match self.example(&all, inner) {
             Some(point) => point,
-            None if matches!(body.kind, PropKind::ForAll(..)) => return self.far_enough(goal, bindings, body),
+            None if matches!(body.kind, PropKind::ForAll(..)) => {
+                return self
+                    .by_turning_values(goal, bindings, body)
+                    .or_else(|_| self.far_enough(goal, bindings, body));
+            }
             None => match self.solved(&all, inner) {
                 Some(point) => point,
                 None => {
@@ -139,7 +143,8 @@ impl Prover {
                         .with_half(|c| c.by_equations(goal, bindings, body))
                         .or_else(|_| self.by_intermediate_value(goal, bindings, body))
                         .or_else(|_| self.with_solved_equations(|c| c.by_equations(goal, bindings, body)))
-                        .or_else(|_| self.on_its_own(|c| c.by_a_far_number(goal, bindings, body)));
+                        .or_else(|_| self.on_its_own(|c| c.by_a_far_number(goal, bindings, body)))
+                        .or_else(|_| self.by_turning_values(goal, bindings, body));
                 }
             },
         };
@@ -391,7 +396,7 @@ impl Prover {
 }
 
 /// A point as a step says it, and as a substitution.
-fn at(point: Vec<(String, Expr)>) -> (Vec<(Name, Expr)>, Substitution) {
+pub(super) fn at(point: Vec<(String, Expr)>) -> (Vec<(Name, Expr)>, Substitution) {
     let mut map = Substitution::default();
     point.iter().for_each(|(name, value)| map.replace(name, value));
     let with = point.into_iter().map(|(text, value)| (Name::new(text), value));

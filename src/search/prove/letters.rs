@@ -153,6 +153,48 @@ impl Letters {
         })
     }
 
+    /// The numerator and the denominator of a quotient of sums of monomials, as it is written.
+    pub(super) fn quotient(&mut self, e: &Expr) -> Option<(Polynomial, Polynomial)> {
+        let times = |a: &Polynomial, b: &Polynomial| a.try_mul(b).ok();
+        Some(match &e.kind {
+            ExprKind::Negate(a) => {
+                let (above, below) = self.quotient(a)?;
+                (above.neg(), below)
+            }
+            ExprKind::Sum(list) => {
+                let (mut above, mut below) = (Polynomial::zero(), Polynomial::one());
+                for (sign, e) in list {
+                    let (mut more, own) = self.quotient(e)?;
+                    if *sign == Sign::Minus {
+                        more = more.neg();
+                    }
+                    if own == below {
+                        above = above.add(&more);
+                        continue;
+                    }
+                    above = times(&above, &own)?.add(&times(&more, &below)?);
+                    below = times(&below, &own)?;
+                }
+                (above, below)
+            }
+            ExprKind::Product(list) => {
+                let (mut above, mut below) = (Polynomial::one(), Polynomial::one());
+                for (factor, e) in list {
+                    let (top, bottom) = self.quotient(e)?;
+                    let (top, bottom) = if *factor == Factor::Times { (top, bottom) } else { (bottom, top) };
+                    (above, below) = (times(&above, &top)?, times(&below, &bottom)?);
+                }
+                (above, below)
+            }
+            ExprKind::Power(base, exponent) if natural(exponent).is_some() => {
+                let k = natural(exponent)?;
+                let (above, below) = self.quotient(base)?;
+                (above.pow(k).ok()?, below.pow(k).ok()?)
+            }
+            _ => (self.polynomial(e)?, Polynomial::one()),
+        })
+    }
+
     /// The rational number that an expression comes to, if it is one.
     pub(super) fn number(&mut self, e: &Expr) -> Option<Rational> {
         self.polynomial(e)?.as_constant()

@@ -105,6 +105,7 @@ mod telescoping;
 #[cfg(test)]
 mod tests;
 mod trial_points;
+mod turning_values;
 mod universal;
 mod values;
 mod witnesses;

@@ -244,7 +244,7 @@ impl Prover {
     }
 
     /// The roots of a polynomial in one variable, as quotients of polynomials in letters; `None` where it has another form.
-    fn values_in(&mut self, f: &Polynomial, v: u32, unknown: &[u32]) -> Option<Vec<(Polynomial, Polynomial)>> {
+    pub(super) fn values_in(&mut self, f: &Polynomial, v: u32, unknown: &[u32]) -> Option<Vec<(Polynomial, Polynomial)>> {
         let parts = f.coefficients_in(v);
         if let [constant, slope] = parts.as_slice() {
             return Some(vec![(constant.neg(), slope.clone())]);
@@ -311,7 +311,7 @@ impl Prover {
 }
 
 /// The factors of a polynomial that hold an unknown; a long one is its own factor.
-fn factors_with(p: &Polynomial, unknown: &[u32]) -> Vec<Polynomial> {
+pub(super) fn factors_with(p: &Polynomial, unknown: &[u32]) -> Vec<Polynomial> {
     let all = if p.term_count() > MOST_TERMS { None } else { factor(p).ok() };
     let all = all.map_or_else(|| vec![p.clone()], |f| f.factors.into_iter().map(|f| f.0).collect());
     all.into_iter().filter(|f| unknown.iter().any(|v| f.contains(*v))).collect()

@@ -53,6 +53,11 @@ impl Prover {
                 return Ok(shown);
             }
         }
+        for (label, every) in &universal {
+            if let Ok(shown) = self.attempt(|c| c.by_turning_instance(goal, label, every)) {
+                return Ok(shown);
+            }
+        }
         self.attempt(|c| {
             let mut changed = false;
             for (label, every) in &universal {

@@ -153,7 +153,8 @@ impl Prover {
             {
                 return Ok(label);
             }
-            points.into_iter().find_map(|point| c.attempt(|c| at(c, block, point)).ok()).ok_or_else(no)
+            let shown = points.into_iter().find_map(|point| c.attempt(|c| at(c, block, point)).ok());
+            shown.map_or_else(|| c.refuted_by_instances(&absurd, &format!("{block}s"), every), Ok)
         })?;
         self.logic(&[&block], goal)
     }

@@ -1,0 +1,532 @@
+//! Values of bound real names at which the comparisons of a statement turn: witnesses of `exists`, and instances of facts `for all`
+//! where these say most.
+//!
+//! Method: the difference of the sides of each comparison is a quotient of polynomials in letters. Its zeros, where it is 1 or −1, and
+//! where it is stationary are values of a name, and so are the ends of its domain and bounds of the least and greatest zero (Cauchy).
+//! A name that is bound within is put in at its own such values first: for `for all x: abs(x - a) < d => …` at a + d and a − d. Halves,
+//! doubles and the like of these values come last. A value is tried in doubles wherever the facts hold, before any step is taken.
+//!
+//! Limits: [`NAMES`] bound names, [`DIFFERENCES`], [`VALUES`] of a name that is bound within, [`KEPT`] points.
+
+use super::facts::minus;
+use super::letters::{as_power, product, whole_power};
+use super::limits::{holds, over};
+use super::solved_equations::factors_with;
+use super::trial_points::{Turns, truth};
+use super::{Fail, Prover, implies, under_root};
+use crate::algebra::Polynomial;
+use crate::certificate::{Label, Rule};
+use crate::claim::syntax::*;
+use crate::claim::walk::parts_mut;
+use crate::kernel::key;
+use crate::kernel::names::free_names;
+use crate::kernel::order::Signs;
+use crate::kernel::statement::{apply, domain, expr, name, numeral, prop, sum};
+use crate::kernel::substitution::Substitution;
+use crate::refute::literal::literal;
+use malachite::Rational;
+use malachite::base::num::arithmetic::traits::Abs;
+use std::collections::BTreeSet;
+
+/// The most names of a statement for which values are proposed.
+const NAMES: usize = 3;
+/// The most comparisons that are solved.
+const DIFFERENCES: usize = 40;
+/// The most values of a name that is bound within.
+const VALUES: usize = 10;
+/// The most values of a name to which others are added.
+const SIMPLE: usize = 24;
+/// The most points that are proposed, and that are tried by proofs.
+const PROPOSED: usize = 240;
+const KEPT: usize = 4;
+/// How deep functions are inverted.
+const DEPTH: usize = 3;
+/// The most terms of a numerator.
+const TERMS: usize = 60;
+
+/// Values for names.
+type Point = Vec<(String, Expr)>;
+
+impl Prover {
+    /// Proves `exists` by values at which comparisons turn.
+    pub(super) fn by_turning_values(&mut self, goal: &Prop, bindings: &[Binding], body: &Prop) -> Result<Label, Fail> {
+        let found = self.points_that_do(bindings, body).ok_or(Fail::No("values where comparisons turn"))?;
+        for point in found.alone {
+            if let Ok(label) = self.on_its_own(|c| c.by_values(goal, bindings, body, point)) {
+                return Ok(label);
+            }
+        }
+        let [first, second] = found.together.as_slice() else { return Err(Fail::No("a witness")) };
+        self.attempt(|c| c.by_one_of_two(goal, bindings, body, [first, second]))
+    }
+
+    /// Proves `exists` by one point where that has the property, and by another one elsewhere.
+    fn by_one_of_two(
+        &mut self,
+        goal: &Prop,
+        bindings: &[Binding],
+        body: &Prop,
+        points: [&Point; 2],
+    ) -> Result<Label, Fail> {
+        let mut parts: Vec<Prop> = bindings.iter().flat_map(domain).collect();
+        super::solutions::conjuncts(body, &mut parts);
+        let (_, map) = super::goals::at(points[0].clone());
+        let parts = parts.iter().map(|p| map.prop(p)).collect::<Result<Vec<Prop>, _>>().map_err(Fail::from)?;
+        let is_open = |c: &mut Prover, p: &Prop| c.quietly(p).is_err();
+        let mut open: Vec<Prop> = parts.into_iter().filter(|p| is_open(self, p)).collect();
+        let (Some(case), true) = (open.pop(), open.is_empty()) else { return Err(Fail::No("one condition")) };
+        let other = super::facts::opposite(&case).ok_or(Fail::No("an opposite"))?;
+        let mut from = Vec::new();
+        for (case, point) in [(case, points[0]), (other, points[1])] {
+            from.push(self.block(&implies(&case, goal), |c, _| c.by_values(goal, bindings, body, point.clone()))?);
+        }
+        self.emit(Rule::Logic { from }, goal.clone())
+    }
+
+    /// Proves a comparison by an instance of a fact `for all` that its opposite contradicts, at values where comparisons turn.
+    pub(super) fn by_turning_instance(&mut self, goal: &Prop, label: &str, every: &Prop) -> Result<Label, Fail> {
+        self.against_opposite(goal, |c, _| c.refuted_by_instances(goal, label, every))
+    }
+
+    /// Shows any goal by instances of a fact `for all` that the other facts contradict.
+    pub(super) fn refuted_by_instances(&mut self, goal: &Prop, label: &str, every: &Prop) -> Result<Label, Fail> {
+        let no = || Fail::No("an instance that fails");
+        let PropKind::ForAll(bindings, body) = &every.kind else { return Err(no()) };
+        let denied = prop(PropKind::Not(body.clone()));
+        let found = self.points_that_do(bindings, &denied).ok_or_else(no)?;
+        let sets = found.alone.into_iter().map(|point| vec![point]).chain([found.together]);
+        for points in sets.filter(|points| !points.is_empty()) {
+            let shown = self.on_its_own(|c| {
+                for point in points {
+                    c.instance_at(label, point)?;
+                }
+                c.refuted(goal).or_else(|_| c.without_cases(goal))
+            });
+            if shown.is_ok() {
+                return shown;
+            }
+        }
+        Err(no())
+    }
+
+    /// Points that have a property wherever the facts hold, as far as doubles tell: those that do alone, or else two that do together.
+    fn points_that_do(&mut self, bindings: &[Binding], body: &Prop) -> Option<Found> {
+        let names: Vec<String> = bindings.iter().flat_map(|b| &b.names).map(|n| n.0.text.clone()).collect();
+        let is_plain = |b: &Binding| !b.natural && b.indices.is_none() && b.names.iter().all(|n| n.1.is_none());
+        if names.is_empty() || names.len() > NAMES || !bindings.iter().all(is_plain) {
+            return None;
+        }
+        let mut about = BTreeSet::new();
+        free_names(&prop(PropKind::Exists(bindings.to_vec(), Box::new(body.clone()))), &mut about);
+        let places = self.sampled(&about);
+        if places.is_empty() {
+            return None;
+        }
+        let mut turns = Turns::new();
+        let points = self.proposed(bindings, body, &names, &mut turns);
+        let mut parts: Vec<Prop> = bindings.iter().flat_map(domain).collect();
+        parts.push(body.clone());
+        let property = prop(PropKind::And(parts));
+        let mut out = Found::default();
+        let mut partly: Vec<(Vec<bool>, Point)> = Vec::new();
+        for point in points {
+            if self.is_late() {
+                return None;
+            }
+            let (_, map) = super::goals::at(point.clone());
+            let Ok(there) = map.prop(&property) else { continue };
+            let turns = turns.iter().map(|(n, list)| (n.clone(), list.iter().filter_map(|e| map.expr(e).ok()).collect()));
+            let turns: Turns = turns.collect();
+            let mut holds = places.iter().map(|place| truth(&there, &mut place.clone(), &turns) == Some(true));
+            if out.alone.is_empty() && names.len() == 1 {
+                let does: Vec<bool> = holds.collect();
+                if does.iter().all(|d| *d) {
+                    out.alone.push(point);
+                } else if does.contains(&true) {
+                    partly.push((does, point));
+                }
+            } else if holds.all(|d| d) {
+                out.alone.push(point);
+                if out.alone.len() == KEPT {
+                    break;
+                }
+            }
+        }
+        if out.alone.is_empty() {
+            let both = |a: &[bool], b: &[bool]| a.iter().zip(b).all(|(a, b)| *a || *b);
+            let pair = partly.iter().enumerate().find_map(|(k, (does, point))| {
+                let (_, other) = partly.iter().skip(k + 1).find(|(other, _)| both(does, other))?;
+                Some(vec![point.clone(), other.clone()])
+            });
+            out.together = pair.unwrap_or_default();
+        }
+        Some(out)
+    }
+
+    /// Points for the names of a statement, simple ones first. What is found of names that are bound within it is added to `turns`.
+    fn proposed(&mut self, bindings: &[Binding], body: &Prop, names: &[String], turns: &mut Turns) -> Vec<Point> {
+        let mut points: Vec<Point> = Vec::new();
+        // What is found of a name may depend on the names before it, which are declared in a block.
+        let every = prop(PropKind::ForAll(bindings.to_vec(), Box::new(body.clone())));
+        let _ = self.attempt(|c| {
+            c.block(&every, |c, _| {
+                for (place, own) in names.iter().enumerate() {
+                    let mut others: Vec<Point> = Vec::new();
+                    let rest: Vec<&String> = names.iter().filter(|n| *n != own).collect();
+                    if rest.is_empty() {
+                        others.push(Vec::new());
+                    } else {
+                        for k in [1, 0] {
+                            others.push(rest.iter().map(|n| ((*n).clone(), numeral(k))).collect());
+                        }
+                    }
+                    if let ([other], 0) = (rest.as_slice(), place) {
+                        let (values, _) = c.values_where_it_turns(bindings, body, other, turns);
+                        let between = values.windows(2).map(|pair| halved(&plus(&pair[0], &pair[1])));
+                        let all: Vec<Expr> = values.iter().cloned().chain(between.collect::<Vec<_>>()).collect();
+                        others.extend(all.into_iter().filter(|e| holds(e, own)).map(|e| vec![((*other).clone(), e)]));
+                    }
+                    for other in others {
+                        let (_, map) = super::goals::at(other.clone());
+                        let Ok(there) = map.prop(body) else { continue };
+                        for value in c.values_for(bindings, &there, own, turns) {
+                            let mut alone = Substitution::default();
+                            alone.replace(own, &value);
+                            let rest = other.iter().map(|(n, e)| Some((n.clone(), alone.expr(e).ok()?)));
+                            let Some(mut point) = rest.collect::<Option<Point>>() else { continue };
+                            point.push((own.clone(), value));
+                            points.push(point);
+                        }
+                    }
+                }
+                Err::<Label, Fail>(Fail::No("the points are all that was asked"))
+            })
+        });
+        let mut seen = BTreeSet::new();
+        points.retain(|point| {
+            let mut keys: Vec<String> = point.iter().map(|(n, e)| format!("{n} {}", key::expr(e))).collect();
+            keys.sort();
+            seen.insert(keys)
+        });
+        points.sort_by_key(|point| point.iter().map(|(_, e)| weight(e)).sum::<usize>());
+        points.truncate(PROPOSED);
+        points
+    }
+
+    /// Values of a name: where its statement turns, and what lies beside, between and beyond.
+    fn values_for(&mut self, bindings: &[Binding], body: &Prop, own: &str, turns: &mut Turns) -> Vec<Expr> {
+        let (mut values, differences) = self.values_where_it_turns(bindings, body, own, turns);
+        for difference in &differences {
+            values.extend(self.where_it_is_stationary(difference, own));
+            for k in [1, -1] {
+                values.extend(self.zeros_in(&minus(difference, &literal(&Rational::from(k))), own, DEPTH));
+            }
+            values.extend(self.bounds_of_zeros(difference, own));
+        }
+        unique(&mut values);
+        values.truncate(SIMPLE);
+        let ends = ends_of(bindings, own);
+        let mut more: Vec<Expr> = Vec::new();
+        for value in &values {
+            more.extend([halved(value), product(vec![numeral(2), value.clone()])]);
+            more.extend([plus(value, &numeral(1)), minus(value, &numeral(1))]);
+            more.push(over(value.clone(), plus(&numeral(1), value)));
+            more.extend(ends.iter().filter(|end| *end != value).map(|end| halved(&plus(value, end))));
+        }
+        values.extend(more);
+        values.extend([0, 1, -1, 2, -2].map(|k| literal(&Rational::from(k))));
+        values.push(literal(&Rational::from_unsigneds(1u32, 2)));
+        unique(&mut values);
+        values
+    }
+
+    /// The values of a name at which comparisons turn, and the differences in it, with names that are bound within put in.
+    fn values_where_it_turns(
+        &mut self,
+        bindings: &[Binding],
+        body: &Prop,
+        own: &str,
+        turns: &mut Turns,
+    ) -> (Vec<Expr>, Vec<Expr>) {
+        let (mut differences, mut within) = (Vec::new(), Vec::new());
+        bindings.iter().flat_map(domain).for_each(|p| differences_in(&p, &mut differences, &mut within));
+        differences_in(body, &mut differences, &mut within);
+        differences.truncate(DIFFERENCES);
+        for inner in within.iter().rev() {
+            let (with, mut rest): (Vec<Expr>, Vec<Expr>) = differences.into_iter().partition(|d| holds(d, inner));
+            let mut values = Vec::new();
+            for difference in &with {
+                values.extend(self.zeros_in(difference, inner, DEPTH));
+                values.extend(self.stationary(difference, inner));
+            }
+            values.retain(|value| !holds(value, inner));
+            unique(&mut values);
+            values.sort_by_key(weight);
+            values.truncate(VALUES);
+            for value in &values {
+                let mut map = Substitution::default();
+                map.replace(inner, value);
+                rest.extend(with.iter().filter_map(|d| map.expr(d).ok()));
+            }
+            unique(&mut rest);
+            rest.truncate(DIFFERENCES);
+            turns.entry(inner.clone()).or_default().extend(values);
+            differences = rest;
+        }
+        differences.retain(|d| holds(d, own));
+        let mut values = Vec::new();
+        for difference in &differences {
+            values.extend(self.zeros_in(difference, own, DEPTH));
+        }
+        unique(&mut values);
+        (values, differences)
+    }
+
+    /// Where an expression is 0, as far as one letter holds the name: functions are inverted, and absolute values have both signs.
+    fn zeros_in(&mut self, e: &Expr, own: &str, depth: usize) -> Vec<Expr> {
+        let mut out = Vec::new();
+        for plain in without_absolute_values(e, own) {
+            let Some((above, _)) = self.letters.quotient(&plain) else { continue };
+            if above.term_count() > TERMS {
+                continue;
+            }
+            let Some(v) = self.only_letter(&above, own) else { continue };
+            let letter = self.letters.expr(v).cloned();
+            for factor in factors_with(&above, &[v]) {
+                for (above, below) in self.values_in(&factor, v, &[v]).unwrap_or_default() {
+                    let value = self.fraction_written(&above, &below);
+                    match &letter {
+                        Some(Expr { kind: ExprKind::Name(_), .. }) => out.push(value),
+                        Some(letter) if depth > 0 => {
+                            if let Some((inside, value)) = inverse(letter, value) {
+                                out.extend(self.zeros_in(&minus(&inside, &value), own, depth - 1));
+                            }
+                        }
+                        _ => {}
+                    }
+                }
+            }
+        }
+        out
+    }
+
+    /// The only letter of a polynomial that holds a name.
+    fn only_letter(&self, p: &Polynomial, own: &str) -> Option<u32> {
+        let mut with = p.variables().into_iter().filter(|v| self.letters.expr(*v).is_some_and(|e| holds(e, own)));
+        with.next().filter(|_| with.next().is_none())
+    }
+
+    /// Where a quotient of polynomials in a name is stationary.
+    fn stationary(&mut self, e: &Expr, own: &str) -> Vec<Expr> {
+        let mut out = Vec::new();
+        for plain in without_absolute_values(e, own) {
+            let Some((above, below)) = self.letters.quotient(&plain) else { continue };
+            let v = self.letters.of(&name(own));
+            let both = [&above, &below].into_iter().flat_map(Polynomial::variables);
+            let is_rational =
+                both.filter(|w| *w != v).all(|w| !self.letters.expr(w).is_some_and(|e| holds(e, own)));
+            if !is_rational || above.term_count() + below.term_count() > TERMS {
+                continue;
+            }
+            let slope = (above.derivative(v).try_mul(&below).ok())
+                .and_then(|first| Some(first.sub(&above.try_mul(&below.derivative(v)).ok()?)));
+            for factor in slope.iter().flat_map(|slope| factors_with(slope, &[v])) {
+                let values = self.values_in(&factor, v, &[v]).unwrap_or_default();
+                out.extend(values.iter().map(|(a, b)| self.fraction_written(a, b)));
+            }
+        }
+        out
+    }
+
+    /// The same of an expression in a name that is declared, with functions of it.
+    fn where_it_is_stationary(&mut self, e: &Expr, own: &str) -> Vec<Expr> {
+        let mut out = self.stationary(e, own);
+        if out.is_empty() && super::slopes::has_function(e) {
+            for plain in without_absolute_values(e, own) {
+                out.extend(self.stationary_points(&plain, own));
+            }
+        }
+        out
+    }
+
+    /// What is less than every positive zero of a quotient of polynomials, what is greater than every zero, and the opposites
+    /// (Cauchy's bounds). Coefficients of unknown sign are bounded by 1 more than their squares.
+    fn bounds_of_zeros(&mut self, e: &Expr, own: &str) -> Vec<Expr> {
+        let mut out = Vec::new();
+        for plain in without_absolute_values(e, own) {
+            let Some((above, _)) = self.letters.quotient(&plain) else { continue };
+            let v = self.letters.of(&name(own));
+            if self.only_letter(&above, own) != Some(v) || above.term_count() > TERMS {
+                continue;
+            }
+            let parts: Vec<Polynomial> = above.coefficients_in(v);
+            let places: Vec<usize> = (0..parts.len()).filter(|k| !parts[*k].is_zero()).collect();
+            let (Some((first, later)), Some((last, before))) = (places.split_first(), places.split_last()) else {
+                continue;
+            };
+            if later.is_empty() {
+                continue;
+            }
+            let sizes = |c: &mut Prover, list: &[usize]| {
+                let all: Vec<Polynomial> = list.iter().map(|k| c.size_of_coefficient(&parts[*k]).0).collect();
+                all.into_iter().fold(Polynomial::zero(), |sum, size| sum.add(&size))
+            };
+            if let (least, true) = self.size_of_coefficient(&parts[*first]) {
+                let below = least.add(&sizes(self, later));
+                out.push(self.fraction_written(&least, &below));
+                out.push(self.fraction_written(&least.neg(), &below));
+            }
+            if let (most, true) = self.size_of_coefficient(&parts[*last]) {
+                let above = most.add(&sizes(self, before));
+                out.push(self.fraction_written(&above, &most));
+                out.push(self.fraction_written(&above.neg(), &most));
+            }
+        }
+        out
+    }
+
+    /// What is at least as large as a coefficient, and whether it is its absolute value.
+    fn size_of_coefficient(&mut self, c: &Polynomial) -> (Polynomial, bool) {
+        if let Some(number) = c.as_constant() {
+            return (Polynomial::constant(number.abs()), true);
+        }
+        let e = self.letters.written(c);
+        match self.signs_of(&e) {
+            signs if signs.within(Signs::NOT_NEGATIVE) => (c.clone(), true),
+            signs if signs.within(Signs::of(Relation::LessEqual)) => (c.neg(), true),
+            _ => (c.pow(2).map_or_else(|_| c.clone(), |square| square.add(&Polynomial::one())), false),
+        }
+    }
+
+    /// A quotient of polynomials as an expression.
+    fn fraction_written(&self, above: &Polynomial, below: &Polynomial) -> Expr {
+        let leads_with_minus = below.terms().all(|t| *t.1 < 0);
+        let (above, below) = if leads_with_minus { (above.neg(), below.neg()) } else { (above.clone(), below.clone()) };
+        match below.as_constant() {
+            Some(c) if c != 0 => self.letters.written(&above.scale(&(Rational::from(1) / c))),
+            _ => over(self.letters.written(&above), self.letters.written(&below)),
+        }
+    }
+}
+
+/// Points that have a property.
+#[derive(Default)]
+struct Found {
+    /// Each of these has it wherever the facts hold.
+    alone: Vec<Point>,
+    /// One of these has it.
+    together: Vec<Point>,
+}
+
+/// How much is written in an expression; functions count more.
+fn weight(e: &Expr) -> usize {
+    let mut all = match &e.kind {
+        ExprKind::Apply(..) => 12,
+        ExprKind::Power(_, exponent) if !matches!(exponent.kind, ExprKind::Number(_)) => 12,
+        _ => 1,
+    };
+    crate::claim::walk::parts(e, &mut |part| all += weight(part));
+    all
+}
+
+fn plus(a: &Expr, b: &Expr) -> Expr {
+    sum(vec![(Sign::Plus, a.clone()), (Sign::Plus, b.clone())])
+}
+
+fn halved(e: &Expr) -> Expr {
+    over(e.clone(), numeral(2))
+}
+
+/// Leaves each expression once.
+fn unique(list: &mut Vec<Expr>) {
+    let mut seen = BTreeSet::new();
+    list.retain(|e| seen.insert(key::expr(e)));
+}
+
+/// The ends of the domain of a name.
+fn ends_of(bindings: &[Binding], own: &str) -> Vec<Expr> {
+    let with = bindings.iter().filter(|b| b.names.iter().any(|n| n.0.text == own));
+    let ends = with.flat_map(|b| &b.constraints).flat_map(|c| match c {
+        Constraint::Relation(_, end) => vec![end.clone()],
+        Constraint::Interval { from, to, .. } | Constraint::Range(from, to) => vec![from.clone(), to.clone()],
+    });
+    ends.collect()
+}
+
+/// The differences of all sides that a statement compares, and the names that it binds, outer ones first.
+fn differences_in(p: &Prop, out: &mut Vec<Expr>, within: &mut Vec<String>) {
+    match &p.kind {
+        PropKind::Compare(sides, _) => out.extend(sides.windows(2).map(|pair| minus(&pair[0], &pair[1]))),
+        PropKind::And(list) | PropKind::Or(list) | PropKind::Equivalent(list) => {
+            list.iter().for_each(|p| differences_in(p, out, within));
+        }
+        PropKind::Not(p) => differences_in(p, out, within),
+        PropKind::Implies(p, q) => [p, q].into_iter().for_each(|p| differences_in(p, out, within)),
+        PropKind::ForAll(bindings, body) | PropKind::Exists(bindings, body) => {
+            within.extend(bindings.iter().flat_map(|b| &b.names).map(|n| n.0.text.clone()));
+            bindings.iter().flat_map(domain).for_each(|p| differences_in(&p, out, within));
+            differences_in(body, out, within);
+        }
+        _ => {}
+    }
+}
+
+/// An expression with u and −u for an absolute value of u that holds a name, and u alone: where that is 0 it turns.
+fn without_absolute_values(e: &Expr, own: &str) -> Vec<Expr> {
+    let Some(inside) = first_absolute_value(e, own) else { return vec![e.clone()] };
+    let absolute = key::expr(&apply("sqrt", whole_power(inside.clone(), 2)));
+    let mut out = vec![inside.clone()];
+    for value in [inside.clone(), super::facts::negated(inside)] {
+        let mut plain = e.clone();
+        put(&mut plain, &absolute, &value);
+        if key::expr(&plain) == key::expr(e) {
+            return vec![e.clone()];
+        }
+        out.extend(without_absolute_values(&plain, own));
+    }
+    out
+}
+
+fn first_absolute_value(e: &Expr, own: &str) -> Option<Expr> {
+    if !holds(e, own) {
+        return None;
+    }
+    if let Some(inside) = under_root(e) {
+        return Some(inside);
+    }
+    let mut found = None;
+    crate::claim::walk::parts(e, &mut |part| {
+        if found.is_none() {
+            found = first_absolute_value(part, own);
+        }
+    });
+    found
+}
+
+/// Puts a value in the place of an expression.
+fn put(e: &mut Expr, place: &str, value: &Expr) {
+    if key::expr(e) == place {
+        *e = value.clone();
+        return;
+    }
+    parts_mut(e, &mut |part| put(part, place, value));
+}
+
+/// The argument of a function, and what it is where the function has a value.
+fn inverse(letter: &Expr, value: Expr) -> Option<(Expr, Expr)> {
+    if let ExprKind::Apply(f, list) = &letter.kind
+        && let [of] = list.as_slice()
+    {
+        let inverse = match f.text.as_str() {
+            "sqrt" => Some(whole_power(value.clone(), 2)),
+            "cbrt" => Some(whole_power(value.clone(), 3)),
+            "exp" => Some(apply("ln", value.clone())),
+            "ln" => Some(apply("exp", value.clone())),
+            _ => None,
+        };
+        return inverse.map(|value| (of.clone(), value));
+    }
+    let (base, exponent) = as_power(letter)?;
+    let power = expr(ExprKind::Power(Box::new(value), Box::new(over(numeral(1), exponent))));
+    Some((base, power))
+}
