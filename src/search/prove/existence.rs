@@ -5,6 +5,7 @@
 //!
 //! Limit: [`OPEN`] statements that something exists, each once within the other.
 
+use super::facts::opposite;
 use super::{Fail, Prover, implies};
 use crate::certificate::{Label, Rule};
 use crate::claim::syntax::*;
@@ -37,22 +38,41 @@ impl Prover {
     /// Shows that nothing has a property: everything lacks it.
     pub(super) fn by_no_example(&mut self, goal: &Prop, some: &Prop) -> Result<Label, Fail> {
         let PropKind::Exists(bindings, body) = &some.kind else { return Err(Fail::No("what exists")) };
-        let every = |body: Prop| prop(PropKind::ForAll(bindings.clone(), Box::new(body)));
-        let none = self.show(&every(prop(PropKind::Not(body.clone()))))?;
+        let none = prop(PropKind::ForAll(bindings.clone(), Box::new(prop(PropKind::Not(body.clone())))));
+        let none = self.show(&none)?;
+        let absurd = compare(numeral(0), Relation::Greater, numeral(0));
+        let block = self.block(&implies(some, &absurd), |c, supposed| {
+            c.excluded(bindings, body, &format!("{supposed}s"), &none)
+        })?;
+        self.logic(&[&block], goal)
+    }
+
+    /// Shows that not everything has a property: something lacks it.
+    pub(super) fn by_example_without(&mut self, goal: &Prop, every: &Prop) -> Result<Label, Fail> {
+        let PropKind::ForAll(bindings, body) = &every.kind else { return Err(Fail::No("a statement for all values")) };
+        let lacks = opposite(body).unwrap_or_else(|| prop(PropKind::Not(body.clone())));
+        let some = prop(PropKind::Exists(bindings.clone(), Box::new(lacks.clone())));
+        let some = self.by_witness(&some, bindings, &lacks)?;
+        let absurd = compare(numeral(0), Relation::Greater, numeral(0));
+        let block = self.block(&implies(every, &absurd), |c, supposed| {
+            c.excluded(bindings, &lacks, &some, &format!("{supposed}s"))
+        })?;
+        self.logic(&[&block], goal)
+    }
+
+    /// A contradiction: something has a property, and a fact says of everything that it has not.
+    fn excluded(&mut self, bindings: &[Binding], has: &Prop, some: &str, none: &str) -> Result<Label, Fail> {
         let absurd = compare(numeral(0), Relation::Greater, numeral(0));
         let own = |n: &(Name, Option<Name>)| (n.0.text.clone(), name(&n.0.text));
         let point: Vec<(String, Expr)> = bindings.iter().flat_map(|b| &b.names).map(own).collect();
-        let has_it = implies(body, &absurd);
-        let block = self.block(&implies(some, &absurd), |c, supposed| {
-            let all = c.block(&every(has_it.clone()), |c, _| {
-                c.block(&has_it, |c, block| {
-                    let lacks = c.instance_at(&none, point)?;
-                    c.logic(&[&lacks, &format!("{block}s")], &absurd)
-                })
-            })?;
-            c.emit(Rule::Existence { some: format!("{supposed}s"), all }, absurd.clone())
+        let has_it = implies(has, &absurd);
+        let all = self.block(&prop(PropKind::ForAll(bindings.to_vec(), Box::new(has_it.clone()))), |c, _| {
+            c.block(&has_it, |c, block| {
+                let lacks = c.instance_at(none, point)?;
+                c.logic(&[&lacks, &format!("{block}s")], &absurd)
+            })
         })?;
-        self.logic(&[&block], goal)
+        self.emit(Rule::Existence { some: some.to_string(), all }, absurd)
     }
 
     fn opened_existence(&mut self, goal: &Prop, some: &str, fact: &Prop) -> Result<Label, Fail> {

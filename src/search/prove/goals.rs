@@ -112,7 +112,7 @@ impl Prover {
     }
 
     /// Proves `exists` by values: from elimination, small ones, from equations.
-    fn by_witness(&mut self, goal: &Prop, bindings: &[Binding], body: &Prop) -> Result<Label, Fail> {
+    pub(super) fn by_witness(&mut self, goal: &Prop, bindings: &[Binding], body: &Prop) -> Result<Label, Fail> {
         // For a bound by a multiple hardly anything else is left to try.
         let is_multiple = bindings.iter().map(|b| b.names.len()).sum::<usize>() > 1;
         let far = |c: &mut Prover| c.by_eventually(goal, bindings, body);

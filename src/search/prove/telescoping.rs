@@ -205,7 +205,7 @@ impl Prover {
     }
 
     /// A quotient of polynomials in lowest terms.
-    fn quotient_written(&self, above: &Polynomial, below: &Polynomial) -> Option<Expr> {
+    pub(super) fn quotient_written(&self, above: &Polynomial, below: &Polynomial) -> Option<Expr> {
         let common = gcd(above, below).ok()?;
         let (above, below) = (above.exact_divide(&common)?, below.exact_divide(&common)?);
         let (number, below) = below.primitive_part();

@@ -37,7 +37,7 @@ const VALUES: usize = 10;
 /// The most values of a name to which others are added.
 const SIMPLE: usize = 24;
 /// The most points that are proposed, and that are tried by proofs.
-const PROPOSED: usize = 240;
+const PROPOSED: usize = 1_200;
 const KEPT: usize = 4;
 /// How deep functions are inverted.
 const DEPTH: usize = 3;
@@ -52,8 +52,9 @@ impl Prover {
     pub(super) fn by_turning_values(&mut self, goal: &Prop, bindings: &[Binding], body: &Prop) -> Result<Label, Fail> {
         let found = self.points_that_do(bindings, body).ok_or(Fail::No("values where comparisons turn"))?;
         for point in found.alone {
-            if let Ok(label) = self.on_its_own(|c| c.by_values(goal, bindings, body, point)) {
-                return Ok(label);
+            let shown = self.with_half_of_the_time(|c| c.on_its_own(|c| c.by_values(goal, bindings, body, point)));
+            if shown.is_ok() {
+                return shown;
             }
         }
         let [first, second] = found.together.as_slice() else { return Err(Fail::No("a witness")) };
@@ -97,10 +98,17 @@ impl Prover {
         let sets = found.alone.into_iter().map(|point| vec![point]).chain([found.together]);
         for points in sets.filter(|points| !points.is_empty()) {
             let shown = self.on_its_own(|c| {
-                for point in points {
-                    c.instance_at(label, point)?;
+                let mut shown = Vec::new();
+                for point in &points {
+                    shown.push(c.instance_at(label, point.clone())?);
                 }
-                c.refuted(goal).or_else(|_| c.without_cases(goal))
+                c.refuted(goal).or_else(|fail| {
+                    let ([shown], [point]) = (shown.as_slice(), points.as_slice()) else { return Err(fail) };
+                    // What contradicts the instance may need a method of its own.
+                    let there = super::goals::at(point.clone()).1.prop(body).map_err(Fail::from)?;
+                    let denied = c.show(&super::facts::opposite(&there).ok_or(fail)?)?;
+                    c.logic(&[shown, &denied], goal)
+                })
             });
             if shown.is_ok() {
                 return shown;
@@ -137,19 +145,21 @@ impl Prover {
             let Ok(there) = map.prop(&property) else { continue };
             let turns = turns.iter().map(|(n, list)| (n.clone(), list.iter().filter_map(|e| map.expr(e).ok()).collect()));
             let turns: Turns = turns.collect();
-            let mut holds = places.iter().map(|place| truth(&there, &mut place.clone(), &turns) == Some(true));
-            if out.alone.is_empty() && names.len() == 1 {
-                let does: Vec<bool> = holds.collect();
+            let mut does = places.iter().map(|place| truth(&there, &mut place.clone(), &turns) == Some(true));
+            if !out.alone.is_empty() || names.len() > 1 {
+                if does.all(|d| d) {
+                    out.alone.push(point);
+                }
+            } else {
+                let does: Vec<bool> = does.collect();
                 if does.iter().all(|d| *d) {
                     out.alone.push(point);
                 } else if does.contains(&true) {
                     partly.push((does, point));
                 }
-            } else if holds.all(|d| d) {
-                out.alone.push(point);
-                if out.alone.len() == KEPT {
-                    break;
-                }
+            }
+            if out.alone.len() == KEPT {
+                break;
             }
         }
         if out.alone.is_empty() {
@@ -208,7 +218,9 @@ impl Prover {
             keys.sort();
             seen.insert(keys)
         });
-        points.sort_by_key(|point| point.iter().map(|(_, e)| weight(e)).sum::<usize>());
+        // Under a quantifier absolute values are easier to treat than squares.
+        let function = if within_a_quantifier(body) { 1 } else { 12 };
+        points.sort_by_key(|point| point.iter().map(|(_, e)| weight(e, function)).sum::<usize>());
         points.truncate(PROPOSED);
         points
     }
@@ -261,8 +273,11 @@ impl Prover {
             }
             values.retain(|value| !holds(value, inner));
             unique(&mut values);
-            values.sort_by_key(weight);
+            values.sort_by_key(|e| weight(e, 1));
             values.truncate(VALUES);
+            if values.is_empty() {
+                values.push(numeral(0));
+            }
             for value in &values {
                 let mut map = Substitution::default();
                 map.replace(inner, value);
@@ -282,38 +297,58 @@ impl Prover {
         (values, differences)
     }
 
+    /// The numerator of an expression, and the only letter of it that holds a name: with sqrt(x) in it, x is the square of that.
+    fn numerator_in(&mut self, e: &Expr, own: &str) -> Option<(Polynomial, u32)> {
+        let (above, _) = self.letters.quotient(e)?;
+        if above.term_count() > TERMS {
+            return None;
+        }
+        let with = |c: &Prover, p: &Polynomial| -> Vec<u32> {
+            let holds = |v: &u32| c.letters.expr(*v).is_some_and(|e| holds(e, own));
+            p.variables().into_iter().filter(holds).collect()
+        };
+        let plain = self.letters.of(&name(own));
+        match with(self, &above).as_slice() {
+            [only] => Some((above, *only)),
+            [a, b] if *a == plain || *b == plain => {
+                let root = if *a == plain { *b } else { *a };
+                let (base, exponent) = as_power(self.letters.expr(root)?)?;
+                let degree = Rational::from(1) / self.letters.number(&exponent).filter(|q| *q > 0)?;
+                let degree = u32::try_from(&degree).ok().filter(|_| base == name(own))?;
+                let power = Polynomial::variable(root).pow(degree).ok()?;
+                Some((above.substitute(plain, &power).ok()?, root))
+            }
+            _ => None,
+        }
+    }
+
+    /// The values of a name at which a letter that holds it has this value.
+    fn where_letter_is(&mut self, letter: u32, value: Expr, own: &str, depth: usize) -> Vec<Expr> {
+        match self.letters.expr(letter).cloned() {
+            Some(Expr { kind: ExprKind::Name(_), .. }) => vec![value],
+            Some(letter) if depth > 0 => match inverse(&letter, value) {
+                Some((inside, value)) if inside == name(own) => vec![value],
+                Some((inside, value)) => self.zeros_in(&minus(&inside, &value), own, depth - 1),
+                None => Vec::new(),
+            },
+            _ => Vec::new(),
+        }
+    }
+
     /// Where an expression is 0, as far as one letter holds the name: functions are inverted, and absolute values have both signs.
     fn zeros_in(&mut self, e: &Expr, own: &str, depth: usize) -> Vec<Expr> {
         let mut out = Vec::new();
         for plain in without_absolute_values(e, own) {
-            let Some((above, _)) = self.letters.quotient(&plain) else { continue };
-            if above.term_count() > TERMS {
-                continue;
-            }
-            let Some(v) = self.only_letter(&above, own) else { continue };
-            let letter = self.letters.expr(v).cloned();
+            let Some((above, v)) = self.numerator_in(&plain, own) else { continue };
             for factor in factors_with(&above, &[v]) {
                 for (above, below) in self.values_in(&factor, v, &[v]).unwrap_or_default() {
-                    let value = self.fraction_written(&above, &below);
-                    match &letter {
-                        Some(Expr { kind: ExprKind::Name(_), .. }) => out.push(value),
-                        Some(letter) if depth > 0 => {
-                            if let Some((inside, value)) = inverse(letter, value) {
-                                out.extend(self.zeros_in(&minus(&inside, &value), own, depth - 1));
-                            }
-                        }
-                        _ => {}
+                    if let Some(value) = self.quotient_written(&above, &below) {
+                        out.extend(self.where_letter_is(v, value, own, depth));
                     }
                 }
             }
         }
         out
-    }
-
-    /// The only letter of a polynomial that holds a name.
-    fn only_letter(&self, p: &Polynomial, own: &str) -> Option<u32> {
-        let mut with = p.variables().into_iter().filter(|v| self.letters.expr(*v).is_some_and(|e| holds(e, own)));
-        with.next().filter(|_| with.next().is_none())
     }
 
     /// Where a quotient of polynomials in a name is stationary.
@@ -332,7 +367,7 @@ impl Prover {
                 .and_then(|first| Some(first.sub(&above.try_mul(&below.derivative(v)).ok()?)));
             for factor in slope.iter().flat_map(|slope| factors_with(slope, &[v])) {
                 let values = self.values_in(&factor, v, &[v]).unwrap_or_default();
-                out.extend(values.iter().map(|(a, b)| self.fraction_written(a, b)));
+                out.extend(values.iter().filter_map(|(a, b)| self.quotient_written(a, b)));
             }
         }
         out
@@ -350,43 +385,38 @@ impl Prover {
     }
 
     /// What is less than every positive zero of a quotient of polynomials, what is greater than every zero, and the opposites
-    /// (Cauchy's bounds). Coefficients of unknown sign are bounded by 1 more than their squares.
+    /// (Cauchy's bounds). Coefficients of unknown sign are bounded by their absolute values, or by 1 more than their squares.
     fn bounds_of_zeros(&mut self, e: &Expr, own: &str) -> Vec<Expr> {
         let mut out = Vec::new();
         for plain in without_absolute_values(e, own) {
-            let Some((above, _)) = self.letters.quotient(&plain) else { continue };
-            let v = self.letters.of(&name(own));
-            if self.only_letter(&above, own) != Some(v) || above.term_count() > TERMS {
-                continue;
-            }
-            let parts: Vec<Polynomial> = above.coefficients_in(v);
-            let places: Vec<usize> = (0..parts.len()).filter(|k| !parts[*k].is_zero()).collect();
-            let (Some((first, later)), Some((last, before))) = (places.split_first(), places.split_last()) else {
-                continue;
-            };
-            if later.is_empty() {
-                continue;
-            }
-            let sizes = |c: &mut Prover, list: &[usize]| {
-                let all: Vec<Polynomial> = list.iter().map(|k| c.size_of_coefficient(&parts[*k]).0).collect();
-                all.into_iter().fold(Polynomial::zero(), |sum, size| sum.add(&size))
-            };
-            if let (least, true) = self.size_of_coefficient(&parts[*first]) {
-                let below = least.add(&sizes(self, later));
-                out.push(self.fraction_written(&least, &below));
-                out.push(self.fraction_written(&least.neg(), &below));
-            }
-            if let (most, true) = self.size_of_coefficient(&parts[*last]) {
-                let above = most.add(&sizes(self, before));
-                out.push(self.fraction_written(&above, &most));
-                out.push(self.fraction_written(&above.neg(), &most));
+            let Some((above, v)) = self.numerator_in(&plain, own) else { continue };
+            let parts: Vec<Polynomial> = above.coefficients_in(v).into_iter().filter(|c| !c.is_zero()).collect();
+            let [first, .., last] = parts.as_slice() else { continue };
+            for by_squares in [true, false] {
+                let sizes: Vec<(Polynomial, bool)> = parts.iter().map(|c| self.size_of_coefficient(c, by_squares)).collect();
+                let all = sizes.iter().fold(Polynomial::zero(), |sum, size| sum.add(&size.0));
+                let known = |c: &Polynomial| parts.iter().position(|p| p == c).and_then(|k| sizes.get(k)).filter(|s| s.1);
+                let mut bounds = Vec::new();
+                bounds.extend(known(first).map(|least| (least.0.clone(), all.clone())));
+                bounds.extend(known(last).map(|most| (all.clone(), most.0.clone())));
+                for (above, below) in bounds {
+                    for above in [above.neg(), above] {
+                        if let Some(value) = self.quotient_written(&above, &below) {
+                            out.extend(self.where_letter_is(v, value, own, DEPTH));
+                        }
+                    }
+                }
+                // With all signs known both are the same.
+                if sizes.iter().all(|size| size.1) {
+                    break;
+                }
             }
         }
         out
     }
 
-    /// What is at least as large as a coefficient, and whether it is its absolute value.
-    fn size_of_coefficient(&mut self, c: &Polynomial) -> (Polynomial, bool) {
+    /// What is at least as large as a coefficient, and whether its sign is known, so that it is its absolute value.
+    fn size_of_coefficient(&mut self, c: &Polynomial, by_squares: bool) -> (Polynomial, bool) {
         if let Some(number) = c.as_constant() {
             return (Polynomial::constant(number.abs()), true);
         }
@@ -394,17 +424,11 @@ impl Prover {
         match self.signs_of(&e) {
             signs if signs.within(Signs::NOT_NEGATIVE) => (c.clone(), true),
             signs if signs.within(Signs::of(Relation::LessEqual)) => (c.neg(), true),
-            _ => (c.pow(2).map_or_else(|_| c.clone(), |square| square.add(&Polynomial::one())), false),
-        }
-    }
-
-    /// A quotient of polynomials as an expression.
-    fn fraction_written(&self, above: &Polynomial, below: &Polynomial) -> Expr {
-        let leads_with_minus = below.terms().all(|t| *t.1 < 0);
-        let (above, below) = if leads_with_minus { (above.neg(), below.neg()) } else { (above.clone(), below.clone()) };
-        match below.as_constant() {
-            Some(c) if c != 0 => self.letters.written(&above.scale(&(Rational::from(1) / c))),
-            _ => over(self.letters.written(&above), self.letters.written(&below)),
+            _ if by_squares => (c.pow(2).map_or_else(|_| c.clone(), |square| square.add(&Polynomial::one())), false),
+            _ => {
+                let size = apply("sqrt", whole_power(e, 2));
+                (Polynomial::variable(self.letters.of(&size)), false)
+            }
         }
     }
 }
@@ -418,15 +442,26 @@ struct Found {
     together: Vec<Point>,
 }
 
-/// How much is written in an expression; functions count more.
-fn weight(e: &Expr) -> usize {
+/// How much is written in an expression; a function counts as much as is said.
+fn weight(e: &Expr, function: usize) -> usize {
     let mut all = match &e.kind {
-        ExprKind::Apply(..) => 12,
-        ExprKind::Power(_, exponent) if !matches!(exponent.kind, ExprKind::Number(_)) => 12,
+        ExprKind::Apply(..) => function,
+        ExprKind::Power(_, exponent) if !matches!(exponent.kind, ExprKind::Number(_)) => function,
         _ => 1,
     };
-    crate::claim::walk::parts(e, &mut |part| all += weight(part));
+    crate::claim::walk::parts(e, &mut |part| all += weight(part, function));
     all
+}
+
+/// Whether a quantifier stands in a statement.
+fn within_a_quantifier(p: &Prop) -> bool {
+    match &p.kind {
+        PropKind::ForAll(..) | PropKind::Exists(..) => true,
+        PropKind::And(list) | PropKind::Or(list) | PropKind::Equivalent(list) => list.iter().any(within_a_quantifier),
+        PropKind::Not(p) => within_a_quantifier(p),
+        PropKind::Implies(p, q) => within_a_quantifier(p) || within_a_quantifier(q),
+        _ => false,
+    }
 }
 
 fn plus(a: &Expr, b: &Expr) -> Expr {

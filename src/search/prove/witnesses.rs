@@ -146,17 +146,19 @@ impl Prover {
         let plan = reader.read(goal, true).and_then(|f| self.planned(&mut reader, f, &[], count));
         let mut points = self.natural_points(goal, bindings, body);
         points.extend(self.example(bindings, &prop(PropKind::Not(body.clone()))));
-        let block = self.block(&implies(every, &absurd), |c, block| {
-            if let Some(plan) = &plan
-                && let Ok(label) =
-                    c.attempt(|c| c.follow_plan(&absurd, &reader, plan, &mut |c, point| at(c, block, point)))
-            {
-                return Ok(label);
-            }
-            let shown = points.into_iter().find_map(|point| c.attempt(|c| at(c, block, point)).ok());
-            shown.map_or_else(|| c.refuted_by_instances(&absurd, &format!("{block}s"), every), Ok)
-        })?;
-        self.logic(&[&block], goal)
+        let shown = self.attempt(|c| {
+            let block = c.block(&implies(every, &absurd), |c, block| {
+                if let Some(plan) = &plan
+                    && let Ok(label) =
+                        c.attempt(|c| c.follow_plan(&absurd, &reader, plan, &mut |c, point| at(c, block, point)))
+                {
+                    return Ok(label);
+                }
+                points.into_iter().find_map(|point| c.attempt(|c| at(c, block, point)).ok()).ok_or_else(no)
+            })?;
+            c.logic(&[&block], goal)
+        });
+        shown.or_else(|_| self.attempt(|c| c.by_example_without(goal, every)))
     }
 
     /// Proves a comparison by an instance of a fact `for all` that its opposite contradicts.
