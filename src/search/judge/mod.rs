@@ -348,6 +348,13 @@ fn searched(
     {
         return Ok(Decided::refuted(claim, case, &certificate));
     }
+    // A bound for all values is sought for long where there is none, and what lies beyond each bound is found at once.
+    if !case.has_variables()
+        && says_that_a_bound_exists(&claim.goal)
+        && let Some(certificate) = refuted_by_proof(claim, &case, limits, EARLY)
+    {
+        return Ok(Decided::refuted(claim, case, &certificate));
+    }
     let time = case.time_left().saturating_sub(limits.time / LEFT);
     let missed = match prove::by_search(claim, accepted, &Limits { time, ..limits.clone() }) {
         Ok(found) => {
@@ -388,6 +395,16 @@ fn says_existence(p: &claim::Prop) -> bool {
     match &p.kind {
         claim::PropKind::Exists(..) | claim::PropKind::Extremum(_) => true,
         claim::PropKind::And(list) => list.iter().any(says_existence),
+        _ => false,
+    }
+}
+
+/// Whether a statement says that there are values with a property for all others.
+fn says_that_a_bound_exists(p: &claim::Prop) -> bool {
+    match &p.kind {
+        claim::PropKind::Exists(_, body) => {
+            matches!(body.kind, claim::PropKind::ForAll(..)) || says_that_a_bound_exists(body)
+        }
         _ => false,
     }
 }

@@ -41,9 +41,8 @@ impl Prover {
         let none = prop(PropKind::ForAll(bindings.clone(), Box::new(prop(PropKind::Not(body.clone())))));
         let none = self.show(&none)?;
         let absurd = compare(numeral(0), Relation::Greater, numeral(0));
-        let block = self.block(&implies(some, &absurd), |c, supposed| {
-            c.excluded(bindings, body, &format!("{supposed}s"), &none)
-        })?;
+        let block = self
+            .block(&implies(some, &absurd), |c, supposed| c.excluded(bindings, body, &format!("{supposed}s"), &none))?;
         self.logic(&[&block], goal)
     }
 

@@ -132,9 +132,7 @@ impl Prover {
         let mut point: Vec<(String, Expr)> = match self.example(&all, inner) {
             Some(point) => point,
             None if matches!(body.kind, PropKind::ForAll(..)) => {
-                return self
-                    .by_turning_values(goal, bindings, body)
-                    .or_else(|_| self.far_enough(goal, bindings, body));
+                return self.by_turning_values(goal, bindings, body).or_else(|_| self.far_enough(goal, bindings, body));
             }
             None => match self.solved(&all, inner) {
                 Some(point) => point,

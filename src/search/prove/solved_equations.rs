@@ -244,7 +244,12 @@ impl Prover {
     }
 
     /// The roots of a polynomial in one variable, as quotients of polynomials in letters; `None` where it has another form.
-    pub(super) fn values_in(&mut self, f: &Polynomial, v: u32, unknown: &[u32]) -> Option<Vec<(Polynomial, Polynomial)>> {
+    pub(super) fn values_in(
+        &mut self,
+        f: &Polynomial,
+        v: u32,
+        unknown: &[u32],
+    ) -> Option<Vec<(Polynomial, Polynomial)>> {
         let parts = f.coefficients_in(v);
         if let [constant, slope] = parts.as_slice() {
             return Some(vec![(constant.neg(), slope.clone())]);

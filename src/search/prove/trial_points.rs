@@ -149,7 +149,8 @@ pub(super) type Place = Vec<(String, f64)>;
 /// What is known of the names that a statement binds: the values where its comparisons turn.
 pub(super) type Turns = BTreeMap<String, Vec<Expr>>;
 
-fn value_here(e: &Expr, place: &Place) -> Option<f64> {
+/// The value of an expression at a place.
+pub(super) fn value_here(e: &Expr, place: &Place) -> Option<f64> {
     // The innermost name comes last.
     value_at(e, &|name| place.iter().rev().find(|own| own.0 == name).map(|own| own.1))
 }
@@ -339,7 +340,10 @@ fn is_computed(p: &Prop, ones: &Place) -> bool {
 }
 
 /// The names that are drawn, and those that equations give by others, in the order in which they are computed.
-fn computed_last(facts: &[(Rc<Prop>, BTreeSet<String>)], names: BTreeSet<String>) -> (Vec<String>, Vec<(String, Expr)>) {
+fn computed_last(
+    facts: &[(Rc<Prop>, BTreeSet<String>)],
+    names: BTreeSet<String>,
+) -> (Vec<String>, Vec<(String, Expr)>) {
     let (mut open, mut computed) = (names, Vec::<(String, Expr)>::new());
     for (fact, _) in facts {
         let Some((a, Relation::Equal, b)) = fact.single() else { continue };
@@ -348,7 +352,9 @@ fn computed_last(facts: &[(Rc<Prop>, BTreeSet<String>)], names: BTreeSet<String>
             let mut used = BTreeSet::new();
             names_in(value, &mut used);
             let depends = |n: &String| n == own || computed.iter().any(|c| c.0 == *n);
-            if open.contains(own) && !used.iter().any(depends) && !computed.iter().any(|c| super::limits::holds(&c.1, own))
+            if open.contains(own)
+                && !used.iter().any(depends)
+                && !computed.iter().any(|c| super::limits::holds(&c.1, own))
             {
                 open.remove(own);
                 computed.push((own.clone(), value.clone()));

@@ -12,7 +12,7 @@ use super::facts::minus;
 use super::letters::{as_power, product, whole_power};
 use super::limits::{holds, over};
 use super::solved_equations::factors_with;
-use super::trial_points::{Turns, truth};
+use super::trial_points::{Place, Turns, truth, value_here};
 use super::{Fail, Prover, implies, under_root};
 use crate::algebra::Polynomial;
 use crate::certificate::{Label, Rule};
@@ -21,7 +21,7 @@ use crate::claim::walk::parts_mut;
 use crate::kernel::key;
 use crate::kernel::names::free_names;
 use crate::kernel::order::Signs;
-use crate::kernel::statement::{apply, domain, expr, name, numeral, prop, sum};
+use crate::kernel::statement::{apply, compare, domain, expr, name, numeral, prop, sum};
 use crate::kernel::substitution::Substitution;
 use crate::refute::literal::literal;
 use malachite::Rational;
@@ -35,10 +35,12 @@ const DIFFERENCES: usize = 40;
 /// The most values of a name that is bound within.
 const VALUES: usize = 10;
 /// The most values of a name to which others are added.
-const SIMPLE: usize = 24;
+const SIMPLE: usize = 48;
 /// The most points that are proposed, and that are tried by proofs.
 const PROPOSED: usize = 1_200;
 const KEPT: usize = 4;
+/// How far beyond a value whole numbers are tried.
+const BEYOND: [f64; 3] = [1.0, 2.0, 20.0];
 /// How deep functions are inverted.
 const DEPTH: usize = 3;
 /// The most terms of a numerator.
@@ -51,14 +53,41 @@ impl Prover {
     /// Proves `exists` by values at which comparisons turn.
     pub(super) fn by_turning_values(&mut self, goal: &Prop, bindings: &[Binding], body: &Prop) -> Result<Label, Fail> {
         let found = self.points_that_do(bindings, body).ok_or(Fail::No("values where comparisons turn"))?;
+        let whole = bindings.iter().any(|b| b.natural);
         for point in found.alone {
-            let shown = self.with_half_of_the_time(|c| c.on_its_own(|c| c.by_values(goal, bindings, body, point)));
+            let shown = self.with_half_of_the_time(|c| {
+                c.on_its_own(|c| match (whole, point.as_slice()) {
+                    (true, [(_, value)]) => c.by_a_whole_number_beyond(goal, bindings, body, value),
+                    _ => c.by_values(goal, bindings, body, point),
+                })
+            });
             if shown.is_ok() {
                 return shown;
             }
         }
         let [first, second] = found.together.as_slice() else { return Err(Fail::No("a witness")) };
         self.attempt(|c| c.by_one_of_two(goal, bindings, body, [first, second]))
+    }
+
+    /// Proves `exists` of a natural number by one that is greater than a value.
+    fn by_a_whole_number_beyond(
+        &mut self,
+        goal: &Prop,
+        bindings: &[Binding],
+        body: &Prop,
+        value: &Expr,
+    ) -> Result<Label, Fail> {
+        let own = bindings.iter().flat_map(|b| &b.names).next().ok_or(Fail::No("a name"))?.0.text.clone();
+        let k = self.fresh("k");
+        let beyond = compare(name(&k), Relation::Greater, value.clone());
+        let over_naturals = vec![Binding::of(Name::new(&k), true, Vec::new())];
+        let some = prop(PropKind::Exists(over_naturals.clone(), Box::new(beyond.clone())));
+        let some = self.by_far_members(&some, &over_naturals, &beyond)?;
+        let then = implies(&beyond, goal);
+        let all = self.block(&prop(PropKind::ForAll(over_naturals, Box::new(then.clone()))), |c, _| {
+            c.block(&then, |c, _| c.by_values(goal, bindings, body, vec![(own, name(&k))]))
+        })?;
+        self.emit(Rule::Existence { some, all }, goal.clone())
     }
 
     /// Proves `exists` by one point where that has the property, and by another one elsewhere.
@@ -120,8 +149,14 @@ impl Prover {
     /// Points that have a property wherever the facts hold, as far as doubles tell: those that do alone, or else two that do together.
     fn points_that_do(&mut self, bindings: &[Binding], body: &Prop) -> Option<Found> {
         let names: Vec<String> = bindings.iter().flat_map(|b| &b.names).map(|n| n.0.text.clone()).collect();
-        let is_plain = |b: &Binding| !b.natural && b.indices.is_none() && b.names.iter().all(|n| n.1.is_none());
+        let is_plain = |b: &Binding| b.indices.is_none() && b.names.iter().all(|n| n.1.is_none());
         if names.is_empty() || names.len() > NAMES || !bindings.iter().all(is_plain) {
+            return None;
+        }
+        // Of a natural number values are proposed that it exceeds.
+        let whole = bindings.iter().any(|b| b.natural);
+        let reals: Vec<Binding> = bindings.iter().map(|b| Binding { natural: false, ..b.clone() }).collect();
+        if whole && names.len() > 1 {
             return None;
         }
         let mut about = BTreeSet::new();
@@ -131,10 +166,11 @@ impl Prover {
             return None;
         }
         let mut turns = Turns::new();
-        let points = self.proposed(bindings, body, &names, &mut turns);
+        let points = self.proposed(&reals, body, &names, &mut turns);
         let mut parts: Vec<Prop> = bindings.iter().flat_map(domain).collect();
         parts.push(body.clone());
         let property = prop(PropKind::And(parts));
+        let turns_of_all = turns;
         let mut out = Found::default();
         let mut partly: Vec<(Vec<bool>, Point)> = Vec::new();
         for point in points {
@@ -143,9 +179,15 @@ impl Prover {
             }
             let (_, map) = super::goals::at(point.clone());
             let Ok(there) = map.prop(&property) else { continue };
-            let turns = turns.iter().map(|(n, list)| (n.clone(), list.iter().filter_map(|e| map.expr(e).ok()).collect()));
+            let turns = turns_of_all
+                .iter()
+                .map(|(n, list)| (n.clone(), list.iter().filter_map(|e| map.expr(e).ok()).collect()));
             let turns: Turns = turns.collect();
-            let mut does = places.iter().map(|place| truth(&there, &mut place.clone(), &turns) == Some(true));
+            let does_at = |place: &Place| match point.as_slice() {
+                [(own, value)] if whole => does_beyond(&property, own, value, place, &turns_of_all),
+                _ => truth(&there, &mut place.clone(), &turns) == Some(true),
+            };
+            let mut does = places.iter().map(does_at);
             if !out.alone.is_empty() || names.len() > 1 {
                 if does.all(|d| d) {
                     out.alone.push(point);
@@ -236,6 +278,7 @@ impl Prover {
             values.extend(self.bounds_of_zeros(difference, own));
         }
         unique(&mut values);
+        values.sort_by_key(|e| weight(e, 1));
         values.truncate(SIMPLE);
         let ends = ends_of(bindings, own);
         let mut more: Vec<Expr> = Vec::new();
@@ -358,8 +401,7 @@ impl Prover {
             let Some((above, below)) = self.letters.quotient(&plain) else { continue };
             let v = self.letters.of(&name(own));
             let both = [&above, &below].into_iter().flat_map(Polynomial::variables);
-            let is_rational =
-                both.filter(|w| *w != v).all(|w| !self.letters.expr(w).is_some_and(|e| holds(e, own)));
+            let is_rational = both.filter(|w| *w != v).all(|w| !self.letters.expr(w).is_some_and(|e| holds(e, own)));
             if !is_rational || above.term_count() + below.term_count() > TERMS {
                 continue;
             }
@@ -392,10 +434,12 @@ impl Prover {
             let Some((above, v)) = self.numerator_in(&plain, own) else { continue };
             let parts: Vec<Polynomial> = above.coefficients_in(v).into_iter().filter(|c| !c.is_zero()).collect();
             let [first, .., last] = parts.as_slice() else { continue };
-            for by_squares in [true, false] {
-                let sizes: Vec<(Polynomial, bool)> = parts.iter().map(|c| self.size_of_coefficient(c, by_squares)).collect();
+            for by_squares in [false, true] {
+                let sizes: Vec<(Polynomial, bool)> =
+                    parts.iter().map(|c| self.size_of_coefficient(c, by_squares)).collect();
                 let all = sizes.iter().fold(Polynomial::zero(), |sum, size| sum.add(&size.0));
-                let known = |c: &Polynomial| parts.iter().position(|p| p == c).and_then(|k| sizes.get(k)).filter(|s| s.1);
+                let known =
+                    |c: &Polynomial| parts.iter().position(|p| p == c).and_then(|k| sizes.get(k)).filter(|s| s.1);
                 let mut bounds = Vec::new();
                 bounds.extend(known(first).map(|least| (least.0.clone(), all.clone())));
                 bounds.extend(known(last).map(|most| (all.clone(), most.0.clone())));
@@ -426,8 +470,14 @@ impl Prover {
             signs if signs.within(Signs::of(Relation::LessEqual)) => (c.neg(), true),
             _ if by_squares => (c.pow(2).map_or_else(|_| c.clone(), |square| square.add(&Polynomial::one())), false),
             _ => {
-                let size = apply("sqrt", whole_power(e, 2));
-                (Polynomial::variable(self.letters.of(&size)), false)
+                let number = match c.terms().next() {
+                    Some((_, number)) if c.term_count() == 1 => number.abs(),
+                    _ => Rational::from(1),
+                };
+                let inside = self.letters.written(&c.scale(&(Rational::from(1) / &number)));
+                let inside = if let ExprKind::Negate(inside) = inside.kind { *inside } else { inside };
+                let size = self.letters.of(&apply("sqrt", whole_power(inside, 2)));
+                (Polynomial::variable(size).scale(&number), false)
             }
         }
     }
@@ -442,8 +492,22 @@ struct Found {
     together: Vec<Point>,
 }
 
-/// How much is written in an expression; a function counts as much as is said.
+/// Whether whole numbers greater than a value have a property at a place.
+fn does_beyond(property: &Prop, own: &str, value: &Expr, place: &Place, turns: &Turns) -> bool {
+    let Some(least) = value_here(value, place).filter(|x| x.is_finite()) else { return false };
+    BEYOND.iter().all(|k| {
+        let mut place = place.clone();
+        place.push((own.to_string(), least.floor().max(-1.0) + k));
+        truth(property, &mut place, turns) == Some(true)
+    })
+}
+
+/// How much is written in an expression; a function counts as much as is said, and an absolute value as little as a name where that
+/// is little.
 fn weight(e: &Expr, function: usize) -> usize {
+    if let Some(inside) = under_root(e).filter(|_| function == 1) {
+        return weight(&inside, function);
+    }
     let mut all = match &e.kind {
         ExprKind::Apply(..) => function,
         ExprKind::Power(_, exponent) if !matches!(exponent.kind, ExprKind::Number(_)) => function,
