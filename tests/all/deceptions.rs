@@ -78,6 +78,7 @@ const DECIDED: &[&str] = &[
     "logarithms",
     "absolute-values",
     "quantifiers",
+    "witnesses",
     "trigonometry",
     "trigonometric-equations",
     "binomials",

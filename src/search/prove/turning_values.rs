@@ -19,7 +19,7 @@ use crate::certificate::{Label, Rule};
 use crate::claim::syntax::*;
 use crate::claim::walk::parts_mut;
 use crate::kernel::key;
-use crate::kernel::names::free_names;
+use crate::kernel::names::{free_names, names_in};
 use crate::kernel::order::Signs;
 use crate::kernel::statement::{apply, compare, domain, expr, name, numeral, prop, sum};
 use crate::kernel::substitution::Substitution;
@@ -41,6 +41,8 @@ const PROPOSED: usize = 1_200;
 const KEPT: usize = 4;
 /// How far beyond a value whole numbers are tried.
 const BEYOND: [f64; 3] = [1.0, 2.0, 20.0];
+/// The most signs of coefficients that are distinguished within one another.
+const CASES: usize = 2;
 /// How deep functions are inverted.
 const DEPTH: usize = 3;
 /// The most terms of a numerator.
@@ -65,8 +67,37 @@ impl Prover {
                 return shown;
             }
         }
-        let [first, second] = found.together.as_slice() else { return Err(Fail::No("a witness")) };
-        self.attempt(|c| c.by_one_of_two(goal, bindings, body, [first, second]))
+        if let [first, second] = found.together.as_slice()
+            && let Ok(label) = self.attempt(|c| c.by_one_of_two(goal, bindings, body, [first, second]))
+        {
+            return Ok(label);
+        }
+        self.attempt(|c| c.by_what_solves(goal, bindings, body))
+    }
+
+    /// Proves that something solves equations and has a property for all values besides, from the existence of a solution.
+    fn by_what_solves(&mut self, goal: &Prop, bindings: &[Binding], body: &Prop) -> Result<Label, Fail> {
+        let mut parts = Vec::new();
+        super::solutions::conjuncts(body, &mut parts);
+        let (mut solved, others): (Vec<Prop>, Vec<Prop>) = parts.into_iter().partition(|p| p.single().is_some());
+        let alone = match (solved.len(), solved.pop()) {
+            (1, Some(only)) if !others.is_empty() => only,
+            _ => return Err(Fail::No("an equation and what else is said")),
+        };
+        let some = prop(PropKind::Exists(bindings.to_vec(), Box::new(alone.clone())));
+        let some = self.by_witness(&some, bindings, &alone)?;
+        let (mut renamed, mut map, mut point) = (bindings.to_vec(), Substitution::default(), Vec::new());
+        for own in renamed.iter_mut().flat_map(|b| &mut b.names) {
+            let fresh = self.fresh(&own.0.text);
+            map.replace(&own.0.text, &name(&fresh));
+            point.push((own.0.text.clone(), name(&fresh)));
+            own.0.text = fresh;
+        }
+        let then = implies(&map.prop(&alone).map_err(Fail::from)?, goal);
+        let all = self.block(&prop(PropKind::ForAll(renamed, Box::new(then.clone()))), |c, _| {
+            c.block(&then, |c, _| c.by_values(goal, bindings, body, point))
+        })?;
+        self.emit(Rule::Existence { some, all }, goal.clone())
     }
 
     /// Proves `exists` of a natural number by one that is greater than a value.
@@ -118,7 +149,8 @@ impl Prover {
         self.against_opposite(goal, |c, _| c.refuted_by_instances(goal, label, every))
     }
 
-    /// Shows any goal by instances of a fact `for all` that the other facts contradict.
+    /// Shows any goal by instances of a fact `for all` that the other facts contradict; `every` is what the fact says, perhaps with
+    /// equations put in.
     pub(super) fn refuted_by_instances(&mut self, goal: &Prop, label: &str, every: &Prop) -> Result<Label, Fail> {
         let no = || Fail::No("an instance that fails");
         let PropKind::ForAll(bindings, body) = &every.kind else { return Err(no()) };
@@ -143,7 +175,60 @@ impl Prover {
                 return shown;
             }
         }
-        Err(no())
+        self.in_signs_of_a_coefficient(goal, label, bindings, body)
+    }
+
+    /// The same in the cases of the sign of the first coefficient of unknown sign, that of the highest power of a variable.
+    fn in_signs_of_a_coefficient(
+        &mut self,
+        goal: &Prop,
+        label: &str,
+        bindings: &[Binding],
+        body: &Prop,
+    ) -> Result<Label, Fail> {
+        let no = || Fail::No("a coefficient of unknown sign");
+        if self.splits >= CASES {
+            return Err(no());
+        }
+        let (mut differences, mut within) = (Vec::new(), Vec::new());
+        differences_in(body, &mut differences, &mut within);
+        let names: Vec<&Name> = bindings.iter().flat_map(|b| &b.names).map(|n| &n.0).collect();
+        let mut coefficient = None;
+        for (difference, own) in differences.iter().flat_map(|d| names.iter().map(move |n| (d, &n.text))) {
+            let Some((above, v)) = self.numerator_in(difference, own) else { continue };
+            let Some(first) = above.coefficients_in(v).pop().filter(|_| above.degree_in(v) > 1) else { continue };
+            let e = self.letters.written(&first);
+            let is_free = names.iter().all(|n| !holds(&e, &n.text));
+            if is_free && self.signs_of(&e) == Signs::ANY {
+                coefficient = Some(e);
+                break;
+            }
+        }
+        let coefficient = coefficient.ok_or_else(no)?;
+        let mut from = Vec::new();
+        for relation in [Relation::Greater, Relation::Equal, Relation::Less] {
+            let case = compare(coefficient.clone(), relation, numeral(0));
+            self.splits += 1;
+            let shown = self.block(&implies(&case, goal), |c, block| {
+                c.put_in(&format!("{block}s"));
+                let Some(every) = c.fact(label) else { return Err(no()) };
+                let every = match (&coefficient.kind, relation) {
+                    (ExprKind::Name(own), Relation::Equal) => super::put(&every, own, &numeral(0))?,
+                    _ => every,
+                };
+                c.refuted_by_instances(goal, label, &every)
+            });
+            self.splits -= 1;
+            from.push(shown?);
+        }
+        // Exactly one of them holds.
+        let apart = compare(coefficient.clone(), Relation::NotEqual, numeral(0));
+        from.push(self.block(&implies(&apart, goal), |c, block| {
+            let sides = [Relation::Greater, Relation::Less].map(|r| compare(coefficient.clone(), r, numeral(0)));
+            let either = c.logic(&[&format!("{block}s")], &prop(PropKind::Or(sides.to_vec())))?;
+            c.logic(&[&either, &from[0], &from[2]], goal)
+        })?);
+        self.emit(Rule::Logic { from }, goal.clone())
     }
 
     /// Points that have a property wherever the facts hold, as far as doubles tell: those that do alone, or else two that do together.
@@ -239,6 +324,9 @@ impl Prover {
                         others.extend(all.into_iter().filter(|e| holds(e, own)).map(|e| vec![((*other).clone(), e)]));
                     }
                     for other in others {
+                        if c.is_late() {
+                            break;
+                        }
                         let (_, map) = super::goals::at(other.clone());
                         let Ok(there) = map.prop(body) else { continue };
                         for value in c.values_for(bindings, &there, own, turns) {
@@ -269,6 +357,7 @@ impl Prover {
 
     /// Values of a name: where its statement turns, and what lies beside, between and beyond.
     fn values_for(&mut self, bindings: &[Binding], body: &Prop, own: &str, turns: &mut Turns) -> Vec<Expr> {
+        let ends = ends_of(bindings, own);
         let (mut values, differences) = self.values_where_it_turns(bindings, body, own, turns);
         for difference in &differences {
             values.extend(self.where_it_is_stationary(difference, own));
@@ -276,11 +365,20 @@ impl Prover {
                 values.extend(self.zeros_in(&minus(difference, &literal(&Rational::from(k))), own, DEPTH));
             }
             values.extend(self.bounds_of_zeros(difference, own));
+            for end in &ends {
+                let mut map = Substitution::default();
+                map.replace(own, &plus(end, &name(own)));
+                let moved = map.expr(difference).map(|moved| self.bounds_of_zeros(&moved, own)).unwrap_or_default();
+                values.extend(moved.iter().map(|value| self.simplified(&plus(end, value)).unwrap_or(plus(end, value))));
+            }
         }
+        let mut free = BTreeSet::new();
+        differences.iter().for_each(|d| names_in(d, &mut free));
+        let is_declared = |n: &&String| *n != own && self.is_a_name(n) && !turns.contains_key(*n);
+        values.extend(free.iter().filter(is_declared).map(|n| name(n)));
         unique(&mut values);
         values.sort_by_key(|e| weight(e, 1));
         values.truncate(SIMPLE);
-        let ends = ends_of(bindings, own);
         let mut more: Vec<Expr> = Vec::new();
         for value in &values {
             more.extend([halved(value), product(vec![numeral(2), value.clone()])]);
@@ -307,6 +405,7 @@ impl Prover {
         bindings.iter().flat_map(domain).for_each(|p| differences_in(&p, &mut differences, &mut within));
         differences_in(body, &mut differences, &mut within);
         differences.truncate(DIFFERENCES);
+        differences.iter_mut().for_each(without_known_roots);
         for inner in within.iter().rev() {
             let (with, mut rest): (Vec<Expr>, Vec<Expr>) = differences.into_iter().partition(|d| holds(d, inner));
             let mut values = Vec::new();
@@ -609,6 +708,17 @@ fn put(e: &mut Expr, place: &str, value: &Expr) {
         return;
     }
     parts_mut(e, &mut |part| put(part, place, value));
+}
+
+/// Writes the roots of 0 and 1 as these numbers.
+fn without_known_roots(e: &mut Expr) {
+    parts_mut(e, &mut without_known_roots);
+    if let ExprKind::Apply(f, list) = &e.kind
+        && let ("sqrt" | "cbrt", [Expr { kind: ExprKind::Number(k), .. }]) = (f.text.as_str(), list.as_slice())
+        && (k == "0" || k == "1")
+    {
+        *e = list[0].clone();
+    }
 }
 
 /// The argument of a function, and what it is where the function has a value.
