@@ -81,7 +81,7 @@ impl Prover {
         super::solutions::conjuncts(body, &mut parts);
         let (mut solved, others): (Vec<Prop>, Vec<Prop>) = parts.into_iter().partition(|p| p.single().is_some());
         let alone = match (solved.len(), solved.pop()) {
-            (1, Some(only)) if !others.is_empty() => only,
+            (1, Some(only)) if !others.is_empty() && others.iter().all(is_of_comparisons) => only,
             _ => return Err(Fail::No("an equation and what else is said")),
         };
         let some = prop(PropKind::Exists(bindings.to_vec(), Box::new(alone.clone())));
@@ -614,6 +614,17 @@ fn weight(e: &Expr, function: usize) -> usize {
     };
     crate::claim::walk::parts(e, &mut |part| all += weight(part, function));
     all
+}
+
+/// Whether a statement is made of comparisons, and of no limit: what is obtained for one number need not stay as that grows.
+fn is_of_comparisons(p: &Prop) -> bool {
+    match &p.kind {
+        PropKind::Compare(..) => true,
+        PropKind::And(list) | PropKind::Or(list) | PropKind::Equivalent(list) => list.iter().all(is_of_comparisons),
+        PropKind::Not(p) | PropKind::ForAll(_, p) | PropKind::Exists(_, p) => is_of_comparisons(p),
+        PropKind::Implies(p, q) => is_of_comparisons(p) && is_of_comparisons(q),
+        _ => false,
+    }
 }
 
 /// Whether a quantifier stands in a statement.
