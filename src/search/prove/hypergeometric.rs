@@ -303,7 +303,7 @@ pub(super) struct Law {
 }
 
 /// A quotient to a whole power.
-fn power(q: &Quotient, k: i64) -> Option<Quotient> {
+pub(super) fn power(q: &Quotient, k: i64) -> Option<Quotient> {
     let size = u32::try_from(k.unsigned_abs()).ok()?;
     let (above, below) = (q.0.pow(size).ok()?, q.1.pow(size).ok()?);
     Some(if k < 0 { (below, above) } else { (above, below) })

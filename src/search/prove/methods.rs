@@ -82,6 +82,7 @@ const DIRECT: &[Method] = &[
     row("integrals", ALL, ALWAYS, Kept, |c, goal| c.by_integrals(goal)),
     row("tangents of a step", ALL, ALWAYS, Kept, |c, goal| c.by_tangent_of_a_step(goal)),
     row("moving products", ALL, ALWAYS, Kept, |c, goal| c.by_moving_products(goal)),
+    row("growth of terms", ORDERS, 1, Own, |c, goal| c.by_growth(goal)),
     row("members in closed form", ALL, ALWAYS, Undone, |c, goal| c.by_members_in_closed_form(goal)),
     row("members of sums", ALL, ALWAYS, Kept, |c, goal| c.by_members(goal)),
     row("weighted tangents", ALL, LOUD, Undone, |c, goal| c.by_weighted_tangents(goal)),

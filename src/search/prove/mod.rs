@@ -79,6 +79,7 @@ mod powers_of_sides;
 mod products;
 mod quarters;
 mod radicals;
+mod ratio_inductions;
 mod ratios;
 mod refutation;
 mod residues;
