@@ -70,6 +70,18 @@ pub(super) fn powers(e: &Expr, variable: &str, out: &mut Vec<(Expr, Expr)>) {
     }
 }
 
+/// The powers in an expression whose base and exponent hold a variable, each once.
+pub(super) fn powers_of_both(e: &Expr, variable: &str, out: &mut Vec<(Expr, Expr)>) {
+    if let ExprKind::Power(base, exponent) = &e.kind
+        && holds(base, variable)
+        && holds(exponent, variable)
+        && !out.iter().any(|(b, e)| key::expr(b) == key::expr(base) && key::expr(e) == key::expr(exponent))
+    {
+        out.push(((**base).clone(), (**exponent).clone()));
+    }
+    parts(e, &mut |part| powers_of_both(part, variable, out));
+}
+
 /// What an expression multiplies and divides by.
 fn factors_of(e: &Expr) -> Vec<Expr> {
     match &e.kind {

@@ -5,23 +5,27 @@
 //! b^e may be left whose base and exponent both hold n, as ((n + 1)/n)^n. It is written below, and is at least 1 + m·(b - 1) or
 //! exp(m·(1 - 1/b)) times b^(e - m), for some m near e.
 //!
-//! Limits: [`SHIFTS`], [`POWER`].
+//! Limits: [`SHIFTS`], [`POWER`], [`POWERS`].
 
 use super::comparison::single;
 use super::facts::negated;
 use super::letters::{as_power, natural, product, whole_power};
 use super::limits::{holds, over, plus};
 use super::sums::Quotient;
-use super::{Fail, Prover};
+use super::{Fail, Prover, implies};
 use crate::algebra::Polynomial;
+use crate::algebra::gcd::gcd;
 use crate::certificate::{Label, Rule, Term};
 use crate::claim::syntax::*;
-use crate::kernel::statement::{apply, compare, name, numeral, power};
-use malachite::base::num::arithmetic::traits::Abs;
+use crate::kernel::statement::{apply, compare, name, numeral, power, prop};
 use malachite::Rational;
+use malachite::base::num::arithmetic::traits::Abs;
 
 /// How far the exponent m of a bound is from that of the power.
 const SHIFTS: [i64; 3] = [0, 1, -1];
+
+/// The most powers in a goal that are bounded.
+const POWERS: usize = 2;
 
 /// The highest whole power of a term.
 const POWER: u32 = 4;
@@ -44,6 +48,27 @@ impl Growth {
             if multiplies { &mut self.above } else { &mut self.below }.push(e);
         }
     }
+}
+
+/// The base of a power.
+struct Base {
+    /// As a quotient of polynomials.
+    quotient: Quotient,
+    /// As it is written.
+    written: Expr,
+}
+
+/// Bounds of a power b^m with b > 0.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Kind {
+    /// 1 + m·(b - 1) <= b^m
+    Tangent,
+    /// The same with <, for m >= 2.
+    StrictTangent,
+    /// exp(m·(1 - 1/b)) <= b^m
+    ExponentialBelow,
+    /// b^m <= exp(m·(b - 1))
+    ExponentialAbove,
 }
 
 /// A bound of a power from below.
@@ -96,8 +121,45 @@ impl Prover {
         })?;
         self.define(high);
         self.without_cases(&compare(high.clone(), Relation::Greater, numeral(0)))?;
-        let factor = if relation.is_greater() == Some(true) { negated(high.clone()) } else { high.clone() };
-        self.combination(goal.clone(), vec![Term { facts: vec![shown], factor }])
+        self.from_quotient(goal, &within, &shown, (low, high))
+    }
+
+    /// An order from that of the quotient of its sides beside 1. It is shown of all numbers, for the kernel may take a side apart
+    /// into products whose signs are not known.
+    fn from_quotient(
+        &mut self,
+        goal: &Prop,
+        within: &Prop,
+        shown: &str,
+        (low, high): (&Expr, &Expr),
+    ) -> Result<Label, Fail> {
+        let (x, y) = (self.fresh("x"), self.fresh("y"));
+        let ((_, relation, _), (_, below, _)) = (single(goal)?, single(within)?);
+        let (low_one, high_one) = (name(&x), name(&y));
+        let quotient = compare(over(low_one.clone(), high_one.clone()), below, numeral(1));
+        let order = if relation.is_greater() == Some(true) {
+            compare(high_one.clone(), relation, low_one)
+        } else {
+            compare(low_one, relation, high_one.clone())
+        };
+        let step = implies(&quotient, &order);
+        let every = |own: &str, positive: bool, body: Prop| {
+            let constraint = Constraint::Relation(Relation::Greater, numeral(0));
+            let binding = Binding::of(Name::new(own), false, positive.then_some(constraint).into_iter().collect());
+            prop(PropKind::ForAll(vec![binding], Box::new(body)))
+        };
+        let of_x = every(&x, false, step.clone());
+        let all = self.block(&every(&y, true, of_x.clone()), |c, _| {
+            c.block(&of_x, |c, _| {
+                c.block(&step, |c, block| {
+                    let factor = if relation.is_greater() == Some(true) { negated(high_one) } else { high_one };
+                    c.combination(order, vec![Term { facts: vec![format!("{block}s")], factor }])
+                })
+            })
+        })?;
+        let at_high = self.instance(&all, high)?;
+        let here = self.instance(&at_high, low)?;
+        self.logic(&[&here, shown], goal)
     }
 
     /// Q(k + 1) <= 1 from Q(k) <= 1.
@@ -135,8 +197,7 @@ impl Prover {
             Some((base, exponent)) => self.falls_by_a_bound(&falls, (&above, &below), base, exponent)?,
         };
         let term = |fact: Label, factor: Expr| Term { facts: vec![fact], factor };
-        let terms =
-            vec![term(moves, numeral(1)), term(hypothesis, numeral(1)), term(falls, own.clone())];
+        let terms = vec![term(moves, numeral(1)), term(hypothesis, numeral(1)), term(falls, own.clone())];
         self.combination(next.clone(), terms)
     }
 
@@ -145,7 +206,7 @@ impl Prover {
         &mut self,
         falls: &Prop,
         (above, below): (&Expr, &Expr),
-        base: &Quotient,
+        base: &Base,
         exponent: &Polynomial,
     ) -> Result<Label, Fail> {
         let power = self.power_written(base, exponent);
@@ -173,48 +234,97 @@ impl Prover {
     /// b^e from below, by its tangent or by an exponential with the exponent e + shift.
     fn power_at_least(
         &mut self,
-        base: &Quotient,
+        base: &Base,
         exponent: &Polynomial,
         shift: i64,
         by_exponential: bool,
     ) -> Result<Below, Fail> {
-        let no = || Fail::No("a bound of a power");
         let moved = exponent.add(&Polynomial::integer(shift));
-        let b = self.quotient_written(&base.0, &base.1).ok_or_else(no)?;
-        let m = self.letters.written(&moved);
-        self.define(&b);
-        self.without_cases(&compare(b.clone(), Relation::Greater, numeral(0)))?;
-        let (label, least) = if by_exponential {
-            // 1 - 1/b and m times this.
-            let rate = (base.0.sub(&base.1), base.0.clone());
-            let all = (rate.0.try_mul(&moved).map_err(|_| no())?, rate.1.clone());
-            let rate = self.quotient_written(&rate.0, &rate.1).ok_or_else(no)?;
-            let all = self.quotient_written(&all.0, &all.1).ok_or_else(no)?;
-            self.exponential_below(&b, &m, &rate, &all)?
-        } else {
-            let all = base.0.sub(&base.1).try_mul(&moved).map_err(|_| no())?.add(&base.1);
-            let least = self.quotient_written(&all, &base.1).ok_or_else(no)?;
-            (self.tangent_of_a_power(&b, &m, &least)?, least)
-        };
+        let kind = if by_exponential { Kind::ExponentialBelow } else { Kind::Tangent };
+        let (label, least) = self.power_beside(base, &moved, kind)?;
         if shift == 0 {
             return Ok(Below { label, bound: least });
         }
-        let apart = whole_power(b, -shift);
+        let apart = whole_power(base.written.clone(), -shift);
         let bound = product(vec![least, apart.clone()]);
         let shown = compare(bound.clone(), Relation::LessEqual, self.power_written(base, exponent));
         let label = self.combination(shown, vec![Term { facts: vec![label], factor: apart }])?;
         Ok(Below { label, bound })
     }
 
-    /// 1 + m·(b - 1) <= b^m for a natural number m and b > 0, by induction; `least` is the left side.
-    fn tangent_of_a_power(&mut self, b: &Expr, m: &Expr, least: &Expr) -> Result<Label, Fail> {
+    /// A bound of a power b^m, and what shows it.
+    fn power_beside(&mut self, base: &Base, exponent: &Polynomial, kind: Kind) -> Result<(Label, Expr), Fail> {
+        let no = || Fail::No("a bound of a power");
+        let (above, below) = &base.quotient;
+        let (b, m) = (base.written.clone(), self.letters.written(exponent));
+        self.define(&b);
+        self.without_cases(&compare(b.clone(), Relation::Greater, numeral(0)))?;
+        let more = above.sub(below);
+        let times = more.try_mul(exponent).map_err(|_| no())?;
+        let written = |c: &mut Prover, p: &Polynomial, q: &Polynomial| c.quotient_written(p, q).ok_or_else(no);
+        if let Kind::Tangent | Kind::StrictTangent = kind {
+            let least = written(self, &times.add(below), below)?;
+            return Ok((self.tangent_of_a_power((&b, &m), &least, kind == Kind::StrictTangent)?, least));
+        }
+        let is_above = kind == Kind::ExponentialAbove;
+        let divisor = if is_above { below } else { above };
+        let (rate, all) = (written(self, &more, divisor)?, written(self, &times, divisor)?);
+        let label = self.exponential_beside((&b, &m), (&rate, &all), is_above)?;
+        Ok((label, apply("exp", all)))
+    }
+
+    /// Shows an order by a bound of a power in it whose base and exponent hold a natural number, as (1 + 1/n)^n < 3.
+    pub(super) fn by_bounds_of_powers(&mut self, goal: &Prop) -> Result<Label, Fail> {
+        let no = || Fail::No("a power whose base and exponent hold a natural number");
+        if self.inductions > 0 || self.splits > 0 {
+            return Err(no());
+        }
+        let (a, relation, b) = single(goal)?;
+        let strict = matches!(relation, Relation::Less | Relation::Greater);
+        let mut powers = Vec::new();
+        for n in self.naturals.clone() {
+            for e in [a, b] {
+                super::hypergeometric::powers_of_both(e, &n, &mut powers);
+            }
+        }
+        for (base, exponent) in powers.into_iter().take(POWERS) {
+            let Some(base) = self.base_of(&base) else { continue };
+            let Some(exponent) = self.letters.polynomial(&exponent) else { continue };
+            let kinds = [Kind::StrictTangent, Kind::Tangent, Kind::ExponentialAbove, Kind::ExponentialBelow];
+            for kind in kinds.into_iter().filter(|kind| strict || *kind != Kind::StrictTangent) {
+                let shown = self.attempt(|c| {
+                    c.power_beside(&base, &exponent, kind)?;
+                    c.without_cases(goal)
+                });
+                if shown.is_ok() {
+                    return shown;
+                }
+            }
+        }
+        Err(no())
+    }
+
+    /// The base of a power as a quotient of polynomials.
+    fn base_of(&mut self, e: &Expr) -> Option<Base> {
+        // The index of no sum is called so: all letters are taken as they are.
+        let (above, below) = self.quotient(e, "")?;
+        let common = gcd(&above, &below).ok()?;
+        let quotient = (above.exact_divide(&common)?, below.exact_divide(&common)?);
+        let written = self.quotient_written(&quotient.0, &quotient.1)?;
+        Some(Base { quotient, written })
+    }
+
+    /// 1 + m·(b - 1) <= b^m for a natural number m and b > 0, by induction; `least` is the left side. It is `strict` for m >= 2 where b
+    /// is other than 1.
+    fn tangent_of_a_power(&mut self, (b, m): (&Expr, &Expr), least: &Expr, strict: bool) -> Result<Label, Fail> {
         let j = self.fresh("j");
+        let relation = if strict { Relation::Less } else { Relation::LessEqual };
         let slope = super::facts::minus(b, &numeral(1));
         let line = plus(&numeral(1), product(vec![name(&j), slope.clone()]));
-        let body = compare(line, Relation::LessEqual, power(b, &name(&j)));
+        let body = compare(line, relation, power(b, &name(&j)));
         let bent = negated(product(vec![name(&j), whole_power(slope, 2)]));
         self.inductions += 1;
-        let every = self.induction_by(&j, None, &body, &mut |c, hypothesis, next| {
+        let every = self.induction_by(&j, strict.then_some(2), &body, &mut |c, hypothesis, next| {
             let terms = vec![
                 Term { facts: vec![hypothesis], factor: b.clone() },
                 Term { facts: Vec::new(), factor: bent.clone() },
@@ -223,39 +333,43 @@ impl Prover {
         })?;
         self.inductions -= 1;
         let here = self.instance(&every, m)?;
-        let shown = compare(least.clone(), Relation::LessEqual, power(b, m));
+        let shown = compare(least.clone(), relation, power(b, m));
         self.combination(shown, vec![Term { facts: vec![here], factor: numeral(1) }])
     }
 
-    /// exp(m·(1 - 1/b)) <= b^m for b > 0, from the tangent of exp at 0; `rate` is 1 - 1/b and `all` m times this.
-    fn exponential_below(&mut self, b: &Expr, m: &Expr, rate: &Expr, all: &Expr) -> Result<(Label, Expr), Fail> {
+    /// exp(m·(1 - 1/b)) <= b^m or, `above` it, b^m <= exp(m·(b - 1)), for b > 0, from the tangent of exp at 0; `rate` is what m is
+    /// multiplied by and `all` the product. It is strict where b is seen to be other than 1.
+    fn exponential_beside(
+        &mut self,
+        (b, m): (&Expr, &Expr),
+        (rate, all): (&Expr, &Expr),
+        above: bool,
+    ) -> Result<Label, Fail> {
         let exp = |e: &Expr| apply("exp", e.clone());
-        let back = negated(rate.clone());
-        let line = compare(plus(&numeral(1), back.clone()), Relation::LessEqual, exp(&back));
-        let with = vec![(Name::new("x"), back)];
-        let line = self.emit(Rule::Tangent { with }, line)?;
-        let one = compare(exp(rate), Relation::LessEqual, b.clone());
-        let factor = product(vec![b.clone(), exp(rate)]);
-        let one = self.combination(one, vec![Term { facts: vec![line], factor }])?;
-        if natural(m) == Some(1) {
-            return Ok((one, exp(rate)));
-        }
-        let powers = compare(power(&exp(rate), m), Relation::LessEqual, power(b, m));
-        let powers = self.emit(Rule::Monotone { from: one }, powers)?;
+        let at = if above { rate.clone() } else { negated(rate.clone()) };
+        let line = self.tangent_at(&at)?;
+        let relation = self.fact(&line).and_then(|fact| single(&fact).ok().map(|(_, r, _)| r));
+        let relation = relation.ok_or(Fail::No("a tangent"))?;
+        let ordered = |bound: Expr, own: Expr| {
+            if above { compare(own, relation, bound) } else { compare(bound, relation, own) }
+        };
+        let term = |fact: &Label, factor: Expr| Term { facts: vec![fact.clone()], factor };
+        let factor = if above { numeral(1) } else { product(vec![b.clone(), exp(rate)]) };
+        let one = self.combination(ordered(exp(rate), b.clone()), vec![term(&line, factor)])?;
+        let from = self.emit(Rule::Monotone { from: one }, ordered(power(&exp(rate), m), power(b, m)))?;
         let same = self.emit(Rule::Power, compare(exp(all), Relation::Equal, power(&exp(rate), m)))?;
-        let term = |fact: Label| Term { facts: vec![fact], factor: numeral(1) };
-        let shown = compare(exp(all), Relation::LessEqual, power(b, m));
-        Ok((self.combination(shown, vec![term(same), term(powers)])?, exp(all)))
+        let one = numeral(1);
+        let terms = vec![term(&same, if above { negated(one.clone()) } else { one.clone() }), term(&from, one)];
+        self.combination(ordered(exp(all), power(b, m)), terms)
     }
 
     /// A power as it is written.
-    fn power_written(&mut self, base: &Quotient, exponent: &Polynomial) -> Expr {
-        let base = self.quotient_written(&base.0, &base.1).unwrap_or_else(|| numeral(1));
-        power(&base, &self.letters.written(exponent))
+    fn power_written(&mut self, base: &Base, exponent: &Polynomial) -> Expr {
+        power(&base.written, &self.letters.written(exponent))
     }
 
     /// All powers whose base and exponent hold the number as one that divides; what differs from it is put to the other factors.
-    fn one_power(&mut self, growth: &mut Growth) -> Option<Option<(Quotient, Polynomial)>> {
+    fn one_power(&mut self, growth: &mut Growth) -> Option<Option<(Base, Polynomial)>> {
         let slope = |p: &Polynomial| -> Polynomial { p.sub(&Polynomial::constant(p.constant_term())) };
         let lead = |p: &Polynomial| p.terms().next().map(|(_, c)| c.clone()).filter(|_| slope(p).term_count() == 1);
         let mut least: Option<Polynomial> = None;
@@ -270,7 +384,7 @@ impl Prover {
         let first = lead(&slope(&least))?;
         let least = if first < 0 { least.neg() } else { least };
         let first = first.abs();
-        let mut base = (Polynomial::one(), Polynomial::one());
+        let (mut base, mut written) = ((Polynomial::one(), Polynomial::one()), Vec::new());
         for (multiplies, own, exponent) in std::mem::take(&mut growth.powers) {
             let times = i64::try_from(&(lead(&slope(&exponent))? / &first)).ok()?;
             let rest = exponent.sub(&least.scale(&Rational::from(times))).as_constant()?;
@@ -278,13 +392,19 @@ impl Prover {
             // It divides: what multiplies is put in upside down.
             let (times, up) = (if multiplies { -times } else { times }, if multiplies { rest } else { -rest });
             base = super::hypergeometric::times(&base, &super::hypergeometric::power(&own, times)?)?;
+            // The kernel takes a power of a product apart, and does not look for factors in its base.
+            written.push(whole_power(self.quotient_written(&own.0, &own.1)?, times));
             let (above, below) = super::hypergeometric::power(&own, up)?;
             growth.put(self.letters.written(&above), true);
             growth.put(self.letters.written(&below), false);
         }
-        let common = crate::algebra::gcd::gcd(&base.0, &base.1).ok()?;
-        let base = (base.0.exact_divide(&common)?, base.1.exact_divide(&common)?);
-        Some((base.0 != base.1).then_some((base, least)))
+        let common = gcd(&base.0, &base.1).ok()?;
+        let quotient = (base.0.exact_divide(&common)?, base.1.exact_divide(&common)?);
+        let written = match written.as_slice() {
+            [_] => self.quotient_written(&quotient.0, &quotient.1)?,
+            _ => product(written),
+        };
+        Some((quotient.0 != quotient.1).then_some((Base { quotient, written }, least)))
     }
 
     /// What a term is multiplied by where n is one more, put to the rest; the term itself multiplies or divides.
@@ -296,7 +416,7 @@ impl Prover {
             return list.iter().try_for_each(|(how, e)| self.grows(e, n, multiplies == (*how == Factor::Times), out));
         }
         if let Some((above, below)) = self.ratio(e, n) {
-            let common = crate::algebra::gcd::gcd(&above, &below).ok()?;
+            let common = gcd(&above, &below).ok()?;
             out.put(self.letters.written(&above.exact_divide(&common)?), multiplies);
             out.put(self.letters.written(&below.exact_divide(&common)?), !multiplies);
             return Some(());
@@ -319,7 +439,7 @@ impl Prover {
             return if k <= POWER { (0..k).try_for_each(|_| self.grows(&base, n, multiplies, out)) } else { None };
         }
         let own = self.ratio(&base, n)?;
-        let common = crate::algebra::gcd::gcd(&own.0, &own.1).ok()?;
+        let common = gcd(&own.0, &own.1).ok()?;
         let own = (own.0.exact_divide(&common)?, own.1.exact_divide(&common)?);
         if !holds(&exponent, n) {
             let root = |p: &Expr| match &e.kind {
