@@ -97,6 +97,7 @@ const DECIDED: &[&str] = &[
     "arcs",
     "inductions",
     "integrals",
+    "units",
 ];
 
 /// What a procedure decided is not lost in silence, and what is true is never refuted.
