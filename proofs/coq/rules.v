@@ -942,7 +942,7 @@ Ltac at_point k := repeat match goal with H : forall _ : _, _ |- _ =>
 Ltac lead_nz z := first [exact z | (let h := fresh in intro h; apply z; first [rewrite <- h; ring | lra]) | nz1].
 (** What [f] is in 1/x, P over Q, from [b] on; [z] says that the leading coefficient of the divisor is not 0. *)
 Ltac limit_by l P Q b z := refine (l _ P Q _ b _ _ _ _ _); cbv beta;
-  [ let k := fresh in let h := fresh in intros k h; at_point k;
+  [ let k := fresh in let h := fresh in intros k h; at_point k; rewrite ?ln_exp;
     first [ring | (field; repeat split; first [nz1 | lra | nz_by]) | (pushinr; field; repeat split; first [nz1 | lra | nz_by])]
   | auto_derive; repeat split; first [exact I | nz1]
   | auto_derive; repeat split; first [exact I | nz1]

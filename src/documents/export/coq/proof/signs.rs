@@ -248,6 +248,12 @@ impl Writer<'_> {
                 let h = self.lemma("U", &format!("holds {} {text}", signs_word(signs)), &format!("exact {h}"));
                 return Ok(env.get(text, Side::Poly(poly.clone()), signs, h));
             }
+            // The bounds of its atoms say so: Coq finds it by linear arithmetic from what stands in the context.
+            if !termwise.within(all) {
+                let text = self.poly(poly)?;
+                let h = self.lemma("U", &format!("holds {} {text}", signs_word(all)), "from");
+                return Ok(env.get(text, Side::Poly(poly.clone()), all, h));
+            }
         }
         Ok(Tree::Poly(poly.clone(), Box::new(self.term_tree(poly, given, env, limit)?)))
     }
