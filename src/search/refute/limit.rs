@@ -9,14 +9,15 @@
 //! near 0 apart from a power of t, and their coefficients are those of the formal operations. exp(c/t^k + …) with c < 0
 //! vanishes faster than every power of t. So the value tends, as t falls to 0, to the coefficient of t^0 where there is no
 //! pole. A coefficient is a polynomial in ln n, which grows slower than every power of n: times a positive power of t it
-//! vanishes. Where a sign, or the limit itself, would depend on ln n, there is no answer.
+//! vanishes. Where a sign depends on ln n there is no answer; of a quotient whose parts begin with such polynomials, these decide by their
+//! degrees.
 //!
 //! Coefficients are enclosures; one that cannot be told from 0 is not taken for 0, and leads nothing (`series`).
 //!
 //! Cost: a fixed number of coefficients.
 
 use super::evaluate::Assignment;
-use super::number::Number;
+use super::number::{Number, invert, multiply};
 use super::series::{Series, coefficients, composed, constant_of, exact, exponential_of, logarithm_of, sign};
 use crate::claim::definedness::Exponent;
 use crate::claim::syntax::*;
@@ -51,8 +52,10 @@ pub(crate) fn tends(point: &Assignment, limit: &Limit) -> Option<Tends> {
     let at = At { point: &point, variable: &limit.variable.text };
     let Some(series) = at.series(&limit.of) else {
         // The reciprocal of an exponentially growing expression tends to 0.
-        let reciprocal = at.product(&[(Factor::Over, limit.of.clone())])?;
-        return (reciprocal.order > 0).then_some(Tends::Infinitely);
+        return match at.product(&[(Factor::Over, limit.of.clone())]) {
+            Some(reciprocal) if reciprocal.order > 0 => Some(Tends::Infinitely),
+            _ => at.tends_slowly(&limit.of),
+        };
     };
     if series.end() <= 0 {
         return None;
@@ -60,11 +63,18 @@ pub(crate) fn tends(point: &Assignment, limit: &Limit) -> Option<Tends> {
     if series.order > 0 {
         return Some(Tends::To(Number::Exact(Rational::ZERO)));
     }
-    let lead = constant_of(series.terms.first()?)?;
+    let Some(lead) = constant_of(series.terms.first()?) else { return at.tends_slowly(&limit.of) };
     if series.order == 0 {
         return Some(Tends::To(lead));
     }
     sign(&lead).map(|_| Tends::Infinitely)
+}
+
+/// How an expression grows: as c·t^order·(ln n)^degree with c other than 0.
+struct Growth {
+    order: Rational,
+    degree: usize,
+    lead: Number,
 }
 
 /// The expressions of one limit at a point.
@@ -78,6 +88,34 @@ impl At<'_> {
         let mut names = BTreeSet::new();
         names_in(e, &mut names);
         names.contains(self.variable)
+    }
+
+    /// What a quotient tends to whose parts grow as powers of n and of ln n: each by its first power of ln n.
+    fn tends_slowly(&self, e: &Expr) -> Option<Tends> {
+        let whole = [(Factor::Times, e.clone())];
+        let list = if let ExprKind::Product(list) = &e.kind { list.as_slice() } else { &whole };
+        let part = |side: Factor| {
+            let own = list.iter().filter(|(f, _)| *f == side).map(|(_, e)| (Factor::Times, e.clone()));
+            self.growth(&self.product(&own.collect::<Vec<_>>())?)
+        };
+        let (above, below) = (part(Factor::Times)?, part(Factor::Over)?);
+        let falls = above.order.cmp(&below.order).then(below.degree.cmp(&above.degree));
+        Some(match falls {
+            Ordering::Greater => Tends::To(exact(0)),
+            Ordering::Less => Tends::Infinitely,
+            Ordering::Equal => {
+                Tends::To(multiply(&above.lead, &invert(&below.lead, String::new).ok()?))
+            }
+        })
+    }
+
+    /// How a series grows, if its first power of ln n has a coefficient that is certainly not 0.
+    fn growth(&self, series: &Series) -> Option<Growth> {
+        let first = series.terms.first()?;
+        let degree = first.iter().rposition(|c| !matches!(c, Number::Exact(q) if *q == 0))?;
+        let lead = first.get(degree)?.clone();
+        sign(&lead)?;
+        Some(Growth { order: series.order.clone(), degree, lead })
     }
 
     fn series(&self, e: &Expr) -> Option<Series> {
