@@ -49,13 +49,15 @@ impl Prover {
             _ => return Err(no()),
         };
         let reading = self.read(&minus(a, b), true).ok_or_else(no)?;
-        let split = self.split_open(reading.clone());
-        let is_split = split.factors.len() > reading.factors.len() || split.factors.iter().any(|f| f.power > 1);
+        let split = self.split_open(reading);
+        // The sign of a factor alone is the goal itself.
+        let is_split = split.factors.len() > 1 || split.factors.iter().any(|f| f.power > 1);
         let mut factors = vec![literal(&split.number)];
         for f in &split.factors {
             let e = self.letters.written(&f.poly);
             if f.power % 2 != 0 && !is_settled(f.signs) {
-                if !is_split || !is_settled(self.sign_in_full(&e)) {
+                let signs = if is_split { self.sign_in_full(&e) } else { f.signs };
+                if !is_settled(signs) && !(f.power < 0 && self.is_divisor_settled(&e, signs)) {
                     return Err(no());
                 }
             } else if strict && !f.signs.within(Signs::NOT_ZERO) {
@@ -77,6 +79,13 @@ impl Prover {
             return self.combination(goal, Vec::new());
         }
         self.against_opposite(&goal, |c, _| c.by_denial(&goal, |c, equation| c.by_products(equation, 1)))
+    }
+
+    /// Whether a divisor, of which only these signs are seen, is shown to be positive, or negative where it is nowhere positive.
+    fn is_divisor_settled(&mut self, e: &Expr, signs: Signs) -> bool {
+        let negative = signs.within(Signs::of(Relation::LessEqual));
+        let strict = if negative { Relation::Less } else { Relation::Greater };
+        self.without_cases(&compare(e.clone(), strict, numeral(0))).is_ok()
     }
 
     /// The signs of an expression, after a search for them.
