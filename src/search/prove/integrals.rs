@@ -49,6 +49,13 @@ impl Prover {
         if integrals.is_empty() {
             return Err(Fail::No("an integral"));
         }
+        for e in &integrals {
+            if let ExprKind::IntegralOver(variable, f) = &e.kind
+                && self.read(e, false).is_none()
+            {
+                self.have_values_between([&variable.from, &variable.to], &variable.name.text, [f, f]);
+            }
+        }
         self.enrich(&integrals.iter().collect::<Vec<_>>());
         let by_value = self.by_values_of_integrals(goal);
         // With little effort there is no search for another order.
@@ -113,17 +120,25 @@ impl Prover {
     /// Shows that expressions have values everywhere from one end to another, which the kernel then learns where it asks for
     /// it. Returns whether there is something that it did not know.
     fn have_values_between(&mut self, [from, to]: [&Expr; 2], x: &str, exprs: [&Expr; 2]) -> bool {
-        let ends = Constraint::Interval { from: from.clone(), from_closed: true, to: to.clone(), to_closed: true };
-        let binding = Binding::of(Name::new(x), false, vec![ends]);
-        let every = |p: Prop| prop(PropKind::ForAll(vec![binding.clone()], Box::new(p)));
-        // What stands under roots is to be positive, of which the kernel does not learn by a root.
+        let every = |p: Prop, closed: bool| {
+            let (from, to) = (from.clone(), to.clone());
+            let ends = Constraint::Interval { from, from_closed: closed, to, to_closed: closed };
+            prop(PropKind::ForAll(vec![Binding::of(Name::new(x), false, vec![ends])], Box::new(p)))
+        };
+        // What stands under roots is to be positive, of which the kernel does not learn by a root. At an end it may be 0.
         let mut inside = Vec::new();
         exprs.iter().for_each(|e| under_roots(e, x, &mut inside));
-        let positive = inside.into_iter().map(|e| every(compare(e, Relation::Greater, numeral(0))));
-        let itself = exprs.map(|e| every(compare(e.clone(), Relation::Equal, e.clone())));
         let mut is_new =
             |p: &Prop| self.known(p).is_none() && self.quietly(p).or_else(|_| self.without_cases(p)).is_ok();
-        positive.collect::<Vec<_>>().iter().chain(&itself).filter(|p| is_new(p)).count() > 0
+        let mut count = 0;
+        for e in inside {
+            let is = |relation| compare(e.clone(), relation, numeral(0));
+            let positive = is_new(&every(is(Relation::Greater), true));
+            let but_at_ends = [every(is(Relation::GreaterEqual), true), every(is(Relation::Greater), false)];
+            count += usize::from(positive || but_at_ends.iter().filter(|p| is_new(p)).count() > 0);
+        }
+        let itself = exprs.map(|e| every(compare(e.clone(), Relation::Equal, e.clone()), true));
+        count + itself.iter().filter(|p| is_new(p)).count() > 0
     }
 
     /// Shows that what stands under the roots of an expression is positive, between the ends of an integral.
