@@ -1,8 +1,8 @@
 //! Antiderivatives of elementary functions: a proposal, which the kernel's derivative confirms.
 //!
 //! Method: sums by parts; what is free of the variable stays; powers, exponentials, logarithms, sines and cosines of a linear
-//! argument by the table; polynomials times one of them by parts; products of powers of a sine and a cosine by their reductions;
-//! logarithms and arcs by parts; roots of c ± a·x²; h(u)·u′ by substitution (`substitutions`); rational functions by partial
+//! argument by the table; polynomials times one of them by parts; products of powers of a sine and a cosine by their reductions, and of
+//! two of different arguments by sums; powers of logarithms and arcs by parts; roots of c ± a·x²; h(u)·u′ by substitution (`substitutions`); rational functions by partial
 //! fractions (`partial_fractions`).
 //! Coefficients may be zeros that are not seen to be zeros: then the proposal fails, and nothing is lost.
 //!
@@ -22,6 +22,9 @@ use malachite::Rational;
 
 /// How deep products are taken apart.
 const DEPTH: usize = 8;
+
+/// The highest power of a logarithm.
+const LOGARITHMS: i64 = 4;
 
 /// An antiderivative of f in x.
 pub(super) fn antiderivative(f: &Expr, x: &str) -> Option<Expr> {
@@ -110,6 +113,7 @@ fn of_factors(list: &[(Expr, Expr)], x: &str, depth: usize) -> Option<Expr> {
         _ => {}
     }
     sines_and_cosines(list, x)
+        .or_else(|| of_two_waves(list, x))
         .or_else(|| by_parts(list, x, depth))
         .or_else(|| by_substitution(list, x, depth))
         .or_else(|| of_fraction(list, x))
@@ -139,8 +143,8 @@ fn of_power(base: &Expr, exponent: &Expr, x: &str, depth: usize) -> Option<Expr>
         && let [u] = arguments.as_slice()
     {
         let k = whole(exponent)?;
-        if function.text == "ln" && k == 1 {
-            return of_logarithm(&[numeral(1)], u, x, depth);
+        if function.text == "ln" && (1..=LOGARITHMS).contains(&k) {
+            return of_power_of_logarithm(&[numeral(1)], u, k, x, depth);
         }
         if k == 1
             && let Some(found) = of_arc(&[numeral(1)], base, x, depth)
@@ -177,11 +181,11 @@ fn of_power(base: &Expr, exponent: &Expr, x: &str, depth: usize) -> Option<Expr>
 fn of_root(base: &Expr, exponent: &Expr, x: &str) -> Option<Expr> {
     let (twice, p) = (rational(exponent)? * Rational::from(2), polynomial(base, x)?);
     let [c, zero, a] = p.as_slice() else { return None };
-    let ((false, _), (falls, size), true) = (signed(c), signed(a), is_zero(zero)) else { return None };
+    let ((false, c), (falls, size), true) = (signed(c), signed(a), is_zero(zero)) else { return None };
     let s = root(&size);
     let along = times(&s, &name(x));
     let inverse = match falls {
-        true => apply("arcsin", over(along, root(c))),
+        true => apply("arcsin", over(along, root(&c))),
         false => apply("ln", add(vec![along, apply("sqrt", base.clone())])),
     };
     let inverse = over(inverse, s);
@@ -190,7 +194,7 @@ fn of_root(base: &Expr, exponent: &Expr, x: &str) -> Option<Expr> {
     }
     let half = literal(&Rational::from_signeds(1, 2));
     let first = product(vec![half.clone(), name(x), apply("sqrt", base.clone())]);
-    (twice == 1).then(|| add(vec![first, product(vec![half, c.clone(), inverse])]))
+    (twice == 1).then(|| add(vec![first, product(vec![half, c, inverse])]))
 }
 
 /// w^k·(1 − w²)^times.
@@ -240,6 +244,31 @@ fn sines_and_cosines(list: &[(Expr, Expr)], x: &str) -> Option<Expr> {
     Some(over(value, p))
 }
 
+/// The product of two sines or cosines of linear arguments u and v, as half a sum of sines or cosines of u − v and u + v.
+fn of_two_waves(list: &[(Expr, Expr)], x: &str) -> Option<Expr> {
+    let [(f, one), (g, other)] = list else { return None };
+    let (ExprKind::Apply(f, u), ExprKind::Apply(g, v), Some(1), Some(1)) = (&f.kind, &g.kind, whole(one), whole(other))
+    else {
+        return None;
+    };
+    let ([u], [v]) = (u.as_slice(), v.as_slice()) else { return None };
+    let (u, v) = if (f.text.as_str(), g.text.as_str()) == ("cos", "sin") { (v, u) } else { (u, v) };
+    let (minus, plus) = (total(vec![(Sign::Plus, u.clone()), (Sign::Minus, v.clone())]), add(vec![u.clone(), v.clone()]));
+    // The antiderivative of cos(w) or sin(w).
+    let of_wave = |function: &str, w: Expr| {
+        let p = slope(&w, x)?;
+        Some(if function == "cos" { over(apply("sin", w), p) } else { negated(over(apply("cos", w), p)) })
+    };
+    let (function, sign) = match (f.text.as_str(), g.text.as_str()) {
+        ("cos", "cos") => ("cos", Sign::Plus),
+        ("sin", "sin") => ("cos", Sign::Minus),
+        ("sin", "cos") | ("cos", "sin") => ("sin", Sign::Plus),
+        _ => return None,
+    };
+    let sum = total(vec![(Sign::Plus, of_wave(function, minus)?), (sign, of_wave(function, plus)?)]);
+    Some(times(&literal(&Rational::from_signeds(1, 2)), &sum))
+}
+
 /// ∫p·ln u = P·ln u − Σ k·∫P·l′/l for u = c·∏ l^k; where there is one l and it is linear, P is 0 at its zero.
 fn of_logarithm(p: &[Expr], u: &Expr, x: &str, depth: usize) -> Option<Expr> {
     let mut list = Vec::new();
@@ -252,10 +281,9 @@ fn of_logarithm(p: &[Expr], u: &Expr, x: &str, depth: usize) -> Option<Expr> {
     if let [(l, k, _)] = polynomials.as_slice()
         && let [b, a] = l.as_slice()
     {
-        let zero = negated(over(b.clone(), a.clone()));
-        let at_zero = whole_p.iter().rev().fold(numeral(0), |sum, c| add(vec![times(&sum, &zero), c.clone()]));
-        whole_p[0] = negated(at_zero);
-        let part = scaled(&divided(&whole_p, &zero), &literal(&Rational::from(*k)));
+        let part;
+        (whole_p, part) = vanishing(whole_p, &negated(over(b.clone(), a.clone())));
+        let part = scaled(&part, &literal(&Rational::from(*k)));
         terms.push((Sign::Minus, written(&antiderivative_of(&part), &name(x))));
     } else {
         for (l, k, as_written) in &polynomials {
@@ -266,6 +294,29 @@ fn of_logarithm(p: &[Expr], u: &Expr, x: &str, depth: usize) -> Option<Expr> {
     }
     terms.push((Sign::Plus, times(&written(&whole_p, &name(x)), &apply("ln", u.clone()))));
     Some(total(terms))
+}
+
+/// ∫p·ln(u)^k = P·ln(u)^k − k·∫(P·u′/u)·ln(u)^(k − 1) for a linear u, with P = 0 at its zero.
+fn of_power_of_logarithm(p: &[Expr], u: &Expr, k: i64, x: &str, depth: usize) -> Option<Expr> {
+    let depth = depth.checked_sub(1)?;
+    if k == 1 {
+        return of_logarithm(p, u, x, depth);
+    }
+    let linear = polynomial(u, x)?;
+    let [b, a] = linear.as_slice() else { return None };
+    let (whole_p, part) = vanishing(antiderivative_of(p), &negated(over(b.clone(), a.clone())));
+    let rest = of_power_of_logarithm(&scaled(&part, &literal(&Rational::from(k))), u, k - 1, x, depth)?;
+    let first = times(&written(&whole_p, &name(x)), &whole_power(apply("ln", u.clone()), k));
+    Some(total(vec![(Sign::Plus, first), (Sign::Minus, rest)]))
+}
+
+/// The polynomial with another constant term, so that it is 0 at a place, and its quotient by the distance to it.
+fn vanishing(mut p: Coefficients, zero: &Expr) -> (Coefficients, Coefficients) {
+    p[0] = numeral(0);
+    let at_zero = p.iter().rev().fold(numeral(0), |sum, c| add(vec![times(&sum, zero), c.clone()]));
+    p[0] = negated(at_zero);
+    let part = divided(&p, zero);
+    (p, part)
 }
 
 /// ∫p·arc(u) = P·arc(u) − ∫P·u′·arc′(u) for arc = arctan or arcsin and a linear u.
@@ -300,13 +351,14 @@ fn by_parts(list: &[(Expr, Expr)], x: &str, depth: usize) -> Option<Expr> {
     match rest.as_slice() {
         [g] if one(g)
             || matches!(&g.0.kind, ExprKind::Apply(f, _) if f.text == "exp")
+            || matches!((&g.0.kind, whole(&g.1)), (ExprKind::Apply(f, _), Some(1..=LOGARITHMS)) if f.text == "ln")
             || !holds(&g.0, x)
             || (!holds(&g.1, x) && whole(&g.1).is_none() && slope(&g.0, x).is_some()) =>
         {
             if let ExprKind::Apply(f, arguments) = &g.0.kind
                 && let ("ln", [u]) = (f.text.as_str(), arguments.as_slice())
             {
-                return of_logarithm(&p, u, x, depth);
+                return of_power_of_logarithm(&p, u, whole(&g.1)?, x, depth);
             }
             if let Some(found) = of_arc(&p, &g.0, x, depth) {
                 return Some(found);

@@ -201,7 +201,10 @@ impl Prover {
                     c.define(&derivative);
                     c.combination(body.clone(), Vec::new()).or_else(|_| {
                         if own == Relation::Equal {
-                            return c.quietly(&body);
+                            return c.quietly(&body).or_else(|fail| {
+                                // Roots that are multiples of each other.
+                                if is_between { c.without_cases(&body) } else { Err(fail) }
+                            });
                         }
                         let shown = c.quietly(&compare(slope.clone(), own, f.clone()))?;
                         c.combination(body.clone(), vec![Term { facts: vec![shown], factor: numeral(1) }])
