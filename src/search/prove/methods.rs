@@ -99,7 +99,13 @@ const DIRECT: &[Method] = &[
     row("contradictions", NO_EQUATION, ALWAYS, Undone, |c, goal| c.by_contradiction(goal, 0)),
     row("products of facts", ALL, ALWAYS, Undone, |c, goal| c.by_products(goal, 1)),
     row("solved equations", EQUATION, ALWAYS, Undone, |c, goal| {
-        c.with_solved_equations(|c| c.combination(goal.clone(), Vec::new()).or_else(|_| c.by_products(goal, 1)))
+        c.with_solved_equations(|c| {
+            // Letters that came in by the equations.
+            if let Some((a, _, b)) = goal.single() {
+                c.enrich(&[a, b]);
+            }
+            c.combination(goal.clone(), Vec::new()).or_else(|_| c.by_products(goal, 1)).or_else(|_| c.by_ideal(goal))
+        })
     }),
     row("differences of variables", ORDERS, FEW, Undone, |c, goal| c.by_differences(goal, 1..=1)),
     row("roots", ORDERS, LOUD, Undone, |c, goal| c.by_root_bounds(goal)),
