@@ -13,7 +13,7 @@ use crate::certificate::{Label, Term};
 use crate::claim::syntax::*;
 use crate::claim::walk::parts;
 use crate::kernel::key;
-use crate::kernel::statement::{compare, expr, name, numeral, prop};
+use crate::kernel::statement::{apply, compare, expr, name, numeral, prop};
 use crate::kernel::substitution::Substitution;
 use malachite::Rational;
 
@@ -121,6 +121,10 @@ impl Prover {
                 let own = self.quotient(base, v)?;
                 power(&own, slope)
             }
+            ExprKind::Apply(f, list) if f.text == "exp" && list.len() == 1 => {
+                let step = self.step(list.first()?, v)?;
+                Some((self.letters.polynomial(&apply("exp", step))?, Polynomial::one()))
+            }
             ExprKind::ProductOver(index, body) => {
                 let factors = match &body.kind {
                     ExprKind::Product(list) => list.clone(),
@@ -176,6 +180,15 @@ impl Prover {
                 Some(())
             }
         }
+    }
+
+    /// By how much an expression that is linear in a variable is more where that is one more.
+    fn step(&mut self, e: &Expr, v: &str) -> Option<Expr> {
+        let letter = self.letters.of(&name(v));
+        let p = self.letters.polynomial(e)?;
+        self.is_plain(&p, v).then_some(())?;
+        let step = p.derivative(letter);
+        (!step.variables().contains(&letter)).then(|| self.letters.written(&step))
     }
 
     /// The whole slope of an expression that is linear in a variable.
