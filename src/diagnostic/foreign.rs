@@ -143,7 +143,9 @@ pub fn domain(word: &str) -> Option<&'static str> {
 pub fn behind_a_statement(word: &str) -> Option<&'static str> {
     Some(match word {
         "for" => "write the quantifier before what it says: `for all x > 0: x + 1/x >= 2`",
-        "with" => "write the condition as a hypothesis before `prove`: `assume a + b + c = 1`",
+        "with" | "suppose" | "assuming" | "hypothesis" => {
+            "write the condition as a hypothesis before `prove`: `assume a + b + c = 1`"
+        }
         "at" => "write the place before the value: `maximum of x*(2 - x) over x real at x = 1 is 1`",
         _ => return None,
     })

@@ -27,7 +27,10 @@ impl Parser {
         while self.sign(",") {
             names.push(self.name("a name to define")?);
         }
-        self.need_word("by")?;
+        if !self.word("by") {
+            let help = "write the names, then their equations: `define u by u(0) = 1, u(k + 1) = u(k)/2`";
+            return Err(self.expected_with("`by`", Some(help.to_string())));
+        }
         let mut equations = vec![self.recurrence(&names)?];
         while self.sign(",") {
             equations.push(self.recurrence(&names)?);

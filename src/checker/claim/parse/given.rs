@@ -71,6 +71,7 @@ impl Parser {
                 Kind::Sign(sign) if level == 0 => out.extend(relation_of(sign)),
                 Kind::Word(word) if token.first_on_line && CLAUSES.contains(&word.as_str()) => break,
                 Kind::Word(word) if level == 0 && RESERVED.contains(&word.as_str()) => break,
+                Kind::Word(word) if level == 0 && foreign(word).or_else(|| behind_a_statement(word)).is_some() => break,
                 Kind::End => break,
                 _ => {}
             }

@@ -382,7 +382,8 @@ impl Parser {
             match (previous.map(|t| &t.kind), self.peek()) {
                 // The line before is complete, so the word was meant to begin a clause.
                 (_, Kind::Word(w)) if self.tokens[self.at].first_on_line && is_name(w) => {
-                    nearest(w, CLAUSES.iter().copied()).map(|near| format!("did you mean `{near}`?"))
+                    let near = || nearest(w, CLAUSES.iter().copied()).map(|near| format!("did you mean `{near}`?"));
+                    behind_a_statement(w).map(str::to_string).or_else(near)
                 }
                 (_, Kind::Word(w)) if matches!(w.as_str(), "in" | "infinity") => foreign(w).map(str::to_string),
                 (Some(Kind::Word(w)), _) if expected == "`of`" => foreign(w).map(str::to_string),
