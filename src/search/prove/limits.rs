@@ -259,7 +259,9 @@ impl Prover {
             return self.between(goal, l, (&closed, &closed), &facts, 1);
         }
         let ([lower, upper], facts) = self.between_integrals(&l.of, &l.variable.text)?;
-        self.between(goal, l, (&lower, &upper), &facts, 1)
+        // At 1 a logarithm is 0, and may divide.
+        let mut from = |least| self.attempt(|c| c.between(goal, l, (&lower, &upper), &facts, least));
+        from(1).or_else(|_| from(2))
     }
 
     /// r^n → 0 for r between −1 and 1: it lies between −q^n and q^n for q = (1 + r²)/2, which is at least |r| and less than 1.

@@ -62,7 +62,7 @@ impl Parser {
 
     /// The signs of comparison from a token on, up to the end of the declaration or to a word.
     fn relations_from(&self, at: usize) -> Vec<Relation> {
-        let (mut out, mut level) = (Vec::new(), 0usize);
+        let (mut out, mut level, mut is_complete) = (Vec::new(), 0usize, false);
         for token in &self.tokens[at..] {
             match &token.kind {
                 Kind::Sign("(" | "[") => level += 1,
@@ -71,10 +71,12 @@ impl Parser {
                 Kind::Sign(sign) if level == 0 => out.extend(relation_of(sign)),
                 Kind::Word(word) if token.first_on_line && CLAUSES.contains(&word.as_str()) => break,
                 Kind::Word(word) if level == 0 && RESERVED.contains(&word.as_str()) => break,
-                Kind::Word(word) if level == 0 && foreign(word).or_else(|| behind_a_statement(word)).is_some() => break,
+                // No product is written so: the word begins something else.
+                Kind::Word(_) if level == 0 && is_complete => break,
                 Kind::End => break,
                 _ => {}
             }
+            is_complete = matches!(token.kind, Kind::Word(_) | Kind::Number(_) | Kind::Raised(_) | Kind::Sign(")" | "]"));
         }
         out
     }
