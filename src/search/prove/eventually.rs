@@ -98,11 +98,77 @@ impl Prover {
         {
             return Ok(label);
         }
+        if eventual.natural
+            && let Ok(label) = self.on_its_own(|c| c.eventually_in_closed_form(goal, bindings, body))
+        {
+            return Ok(label);
+        }
         // What holds for all large real numbers holds for the natural ones.
         let mut shown = self.attempt(|c| c.as_x_grows(goal, &eventual, false));
         if shown.is_err() && eventual.natural {
             shown = self.attempt(|c| c.as_x_grows(goal, &eventual, true));
         }
+        shown
+    }
+
+    /// The same where sums up to the number that grows have closed forms, which the same numbers then serve.
+    fn eventually_in_closed_form(&mut self, goal: &Prop, bindings: &[Binding], body: &Prop) -> Result<Label, Fail> {
+        let no = || Fail::No("a sum up to the number that grows");
+        let PropKind::ForAll(over, inner) = &body.kind else { return Err(no()) };
+        let [Binding { names, .. }] = over.as_slice() else { return Err(no()) };
+        let ([(index, None)], PropKind::Compare(sides, relations)) = (names.as_slice(), &inner.kind) else {
+            return Err(no());
+        };
+        let (mut plain, mut facts) = (Vec::new(), Vec::new());
+        for side in sides {
+            match self.with_closed_sums(side, &index.text) {
+                Ok((value, own)) => {
+                    plain.push(value);
+                    facts.extend(own);
+                }
+                Err(_) => plain.push(side.clone()),
+            }
+        }
+        if facts.is_empty() {
+            return Err(no());
+        }
+        let plain = prop(PropKind::Compare(plain, relations.clone()));
+        let plain = prop(PropKind::ForAll(over.clone(), Box::new(plain)));
+        let some = prop(PropKind::Exists(bindings.to_vec(), Box::new(plain.clone())));
+        let some = self.by_eventually(&some, bindings, &plain)?;
+        // The names of the goal were in use.
+        let (mut map, mut own, mut with) = (Substitution::default(), bindings.to_vec(), Vec::new());
+        for (variable, _) in own.iter_mut().flat_map(|b| &mut b.names) {
+            let fresh = self.fresh(&variable.text);
+            map.replace(&variable.text, &name(&fresh));
+            with.push((variable.clone(), name(&fresh)));
+            variable.text = fresh;
+        }
+        let (plain, later) = (map.prop(&plain).map_err(Fail::from)?, map.prop(body).map_err(Fail::from)?);
+        let PropKind::ForAll(_, inner) = &later.kind else { return Err(no()) };
+        self.opened.push(some.clone());
+        let shown = self.attempt(|c| {
+            let then = implies(&plain, goal);
+            let all = c.block(&prop(PropKind::ForAll(own.clone(), Box::new(then.clone()))), |c, _| {
+                c.block(&then, |c, block| {
+                    let mut from = Vec::new();
+                    for fact in own.iter().flat_map(domain) {
+                        from.push(c.show(&fact)?);
+                    }
+                    from.push(c.block(&later, |c, _| {
+                        c.instance(&format!("{block}s"), &name(&index.text))?;
+                        for fact in &facts {
+                            let here = c.instance(fact, &name(&index.text))?;
+                            c.put_in(&here);
+                        }
+                        c.quietly(inner)
+                    })?);
+                    c.emit(Rule::Witness { with, from }, goal.clone())
+                })
+            })?;
+            c.emit(Rule::Existence { some: some.clone(), all }, goal.clone())
+        });
+        self.opened.pop();
         shown
     }
 

@@ -11,9 +11,13 @@ use crate::kernel::substitution::Substitution;
 use crate::refute::literal::literal;
 use crate::refute::sample::example;
 use malachite::Rational;
+use std::collections::BTreeSet;
 
 /// The numbers tried as N in statements of the kind "for all n >= N".
 const FAR_ENOUGH: [i32; 4] = [1, 2, 10, 100];
+
+/// The natural number at which an example is sought that may serve all.
+const ELSEWHERE: u32 = 7;
 
 impl Prover {
     /// Proves a goal and returns the label of the fact.
@@ -138,7 +142,8 @@ impl Prover {
                 Some(point) => point,
                 None => {
                     return self
-                        .with_half(|c| c.by_equations(goal, bindings, body))
+                        .by_example_of_a_unit(goal, bindings, body)
+                        .or_else(|_| self.with_half(|c| c.by_equations(goal, bindings, body)))
                         .or_else(|_| self.by_intermediate_value(goal, bindings, body))
                         .or_else(|_| self.with_solved_equations(|c| c.by_equations(goal, bindings, body)))
                         .or_else(|_| self.on_its_own(|c| c.by_a_far_number(goal, bindings, body)))
@@ -169,6 +174,30 @@ impl Prover {
         let PropKind::Exists(bindings, body) = &said.kind else { return None };
         let point = example(bindings, body, self.deadline)?;
         Some(point.into_iter().map(|(n, v)| (n, literal(&v))).collect())
+    }
+
+    /// Proves `exists` beside one variable v by values where v is a number: real ones at 1 as multiples of v, as where all have one
+    /// unit, natural ones as they are.
+    fn by_example_of_a_unit(&mut self, goal: &Prop, bindings: &[Binding], body: &Prop) -> Result<Label, Fail> {
+        let no = || Fail::No("a witness");
+        let mut free = BTreeSet::new();
+        crate::kernel::names::free_names(goal, &mut free);
+        free.retain(|n| n != PI && !is_built_in(n));
+        let (Some(v), None) = (free.pop_first(), free.pop_first()) else { return Err(no()) };
+        if self.checker.statement().sequences.iter().any(|s| s.name == v) {
+            return Err(no());
+        }
+        let natural = self.naturals.contains(&v);
+        let (mut at_number, number) = (Substitution::default(), numeral(if natural { ELSEWHERE } else { 1 }));
+        at_number.replace(&v, &number);
+        let there = at_number.prop(goal).map_err(Fail::from)?;
+        let PropKind::Exists(own, inner) = &there.kind else { return Err(no()) };
+        let (all, inner) = together(own, inner);
+        let mut point = self.example(&all, inner).ok_or_else(no)?;
+        if !natural {
+            point.iter_mut().for_each(|(_, value)| *value = product(vec![value.clone(), name(&v)]));
+        }
+        self.attempt(|c| c.by_values(goal, bindings, body, point))
     }
 
     /// Proves `exists` with these values.

@@ -100,11 +100,8 @@ const DIRECT: &[Method] = &[
     row("products of facts", ALL, ALWAYS, Undone, |c, goal| c.by_products(goal, 1)),
     row("solved equations", EQUATION, ALWAYS, Undone, |c, goal| {
         c.with_solved_equations(|c| {
-            // Letters that came in by the equations.
-            if let Some((a, _, b)) = goal.single() {
-                c.enrich(&[a, b]);
-            }
-            c.combination(goal.clone(), Vec::new()).or_else(|_| c.by_products(goal, 1)).or_else(|_| c.by_ideal(goal))
+            // With the letters that came in by the equations.
+            c.at_once(goal).or_else(|_| c.by_products(goal, 1)).or_else(|_| c.by_ideal(goal))
         })
     }),
     row("differences of variables", ORDERS, FEW, Undone, |c, goal| c.by_differences(goal, 1..=1)),

@@ -1,7 +1,8 @@
 //! Goals about members that divide by what grows: 2/(3·2^n − 2) and (c^(2^n) + 1)/(c^(2^n) − 1) have a value only since 3·2^n > 2 and c^(2^n) > 1.
 //!
 //! Method: where the sign of a divisor is not seen, it is shown for all indices by an induction of its own, before the goal. The step of the
-//! induction for the goal then knows it of both indices.
+//! induction for the goal then knows it of both indices. What holds no index is shown as any comparison is: 1 + (E/M)·(1 - cos(theta)) > 0
+//! takes a bound of the cosine.
 //!
 //! Limits: [`DIVISORS`].
 
@@ -26,19 +27,27 @@ impl Prover {
         let (mut sides, mut divisors) = (Vec::new(), Vec::new());
         super::goals::sides_in(goal, &mut sides);
         sides.iter().for_each(|e| divisors_in(e, &mut divisors));
-        let mut labels = Vec::new();
-        for d in divisors {
-            let positive = compare(d.clone(), Relation::Greater, numeral(0));
-            let Some(n) = self.naturals.iter().rev().find(|n| is_bound_within(&positive, n)).cloned() else { continue };
+        let (mut labels, mut count) = (Vec::new(), 0);
+        // The innermost first: outer ones have a value by these.
+        for d in divisors.into_iter().rev() {
+            let [positive, negative] = [Relation::Greater, Relation::Less].map(|r| compare(d.clone(), r, numeral(0)));
+            let n = self.naturals.iter().rev().find(|n| is_bound_within(&positive, n)).cloned();
             if self.signs_of(&d).within(Signs::NOT_ZERO) {
                 continue;
             }
-            labels.push(self.sign_for_all(&d, &n)?);
-            if labels.len() > DIVISORS {
+            match n {
+                Some(n) => labels.push(self.sign_for_all(&d, &n)?),
+                None => {
+                    let shown = self.on_its_own(|c| c.without_cases(&positive));
+                    shown.or_else(|_| self.on_its_own(|c| c.without_cases(&negative)))?;
+                }
+            }
+            count += 1;
+            if count > DIVISORS {
                 return Err(no());
             }
         }
-        if labels.is_empty() {
+        if count == 0 {
             return Err(no());
         }
         self.signs_for_all = labels;
