@@ -41,6 +41,13 @@ impl Prover {
             PropKind::Compare(sides, relations) => {
                 let pairs = sides.windows(2).zip(relations);
                 let parts: Vec<Prop> = pairs.map(|(p, r)| compare(p[0].clone(), *r, p[1].clone())).collect();
+                if self.inductions == 0
+                    && self.splits == 0
+                    && self.has_powers_of_both(sides)
+                    && let Ok(label) = self.attempt(|c| c.show_all(goal, &parts))
+                {
+                    return Ok(label);
+                }
                 // Two bounds may need each other in the step of an induction.
                 self.by_induction(goal).or_else(|_| self.show_all(goal, &parts))
             }

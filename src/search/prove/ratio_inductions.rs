@@ -5,7 +5,9 @@
 //! b^e may be left whose base and exponent both hold n, as ((n + 1)/n)^n. It is written below, and is at least 1 + m·(b - 1) or
 //! exp(m·(1 - 1/b)) times b^(e - m), for some m near e.
 //!
-//! Limits: [`SHIFTS`], [`POWER`], [`POWERS`].
+//! Where R <= 1 from a later number on alone, as (n + 1)^3 <= 3·n^3, what is before it is computed.
+//!
+//! Limits: [`SHIFTS`], [`POWER`], [`POWERS`], [`LATER`].
 
 use super::comparison::single;
 use super::facts::negated;
@@ -17,7 +19,7 @@ use crate::algebra::Polynomial;
 use crate::algebra::gcd::gcd;
 use crate::certificate::{Label, Rule, Term};
 use crate::claim::syntax::*;
-use crate::kernel::statement::{apply, compare, name, numeral, power, prop};
+use crate::kernel::statement::{apply, compare, expr, name, numeral, power, prop};
 use malachite::Rational;
 use malachite::base::num::arithmetic::traits::Abs;
 
@@ -26,6 +28,12 @@ const SHIFTS: [i64; 3] = [0, 1, -1];
 
 /// The most powers in a goal that are bounded.
 const POWERS: usize = 2;
+
+/// Up to where the growth of a term is tried number by number.
+const LATER: u32 = 12;
+
+/// Where besides it is tried.
+const FAR: [u32; 5] = [LATER, 17, 50, 200, 1000];
 
 /// The highest whole power of a term.
 const POWER: u32 = 4;
@@ -92,19 +100,65 @@ impl Prover {
         let (low, high) = (low.clone(), high.clone());
         for n in self.naturals.clone().iter().rev() {
             let both = over(low.clone(), high.clone());
-            if !super::induction::is_bound_within(goal, n) || !self.has_a_growth(&both, n) {
+            if !super::induction::is_bound_within(goal, n) {
                 continue;
             }
-            if let Ok(label) = self.on_its_own(|c| c.by_growth_in(goal, (&low, &high), n)) {
-                return Ok(label);
+            let Some(start) = self.falls_from(&both, n) else { continue };
+            let shown = self.on_its_own(|c| match start {
+                0 => c.by_growth_in(goal, (&low, &high), n),
+                _ => c.from_a_later_number(goal, n, start, &mut |c| c.by_growth_in(goal, (&low, &high), n)),
+            });
+            if shown.is_ok() {
+                return shown;
             }
         }
         Err(no())
     }
 
-    /// Whether it is known what a term grows by.
-    fn has_a_growth(&mut self, e: &Expr, n: &str) -> bool {
-        self.grows(e, n, true, &mut Growth::default()).is_some()
+    /// How much later than at the least number a term begins to fall, if it is known what it grows by and it falls from some number on
+    /// wherever this is tried.
+    fn falls_from(&mut self, e: &Expr, n: &str) -> Option<u32> {
+        let mut growth = Growth::default();
+        self.grows(e, n, true, &mut growth)?;
+        let mut by: Vec<(Factor, Expr)> = vec![(Factor::Times, numeral(1))];
+        by.extend(growth.above.into_iter().map(|e| (Factor::Times, e)));
+        by.extend(growth.below.into_iter().map(|e| (Factor::Over, e)));
+        for (multiplies, base, exponent) in growth.powers {
+            let base = over(self.letters.written(&base.0), self.letters.written(&base.1));
+            let own = power(&base, &self.letters.written(&exponent));
+            by.push((if multiplies { Factor::Times } else { Factor::Over }, own));
+        }
+        let by = compare(expr(ExprKind::Product(by)), Relation::LessEqual, numeral(1));
+        let least = self.least(n).unwrap_or(0);
+        let grows = |j: u32| {
+            let mut place = vec![(n.to_string(), f64::from(least + j))];
+            super::trial_points::truth(&by, &mut place, &Default::default()) == Some(false)
+        };
+        if FAR.iter().any(|j| grows(*j)) {
+            return None;
+        }
+        Some((0..LATER).rev().find(|j| grows(*j)).map_or(0, |j| j + 1))
+    }
+
+    /// A statement about a natural number, of those that are so much more than the least and then of each before them.
+    fn from_a_later_number(
+        &mut self,
+        goal: &Prop,
+        n: &str,
+        start: u32,
+        later: &mut dyn FnMut(&mut Prover) -> Result<Label, Fail>,
+    ) -> Result<Label, Fail> {
+        let start = self.least(n).unwrap_or(0) + start;
+        let is_later = compare(name(n), Relation::GreaterEqual, numeral(start));
+        let is_sooner = compare(name(n), Relation::Less, numeral(start));
+        let sooner = self.block(&implies(&is_sooner, goal), |c, _| {
+            c.splits += 1;
+            let shown = c.by_boxes(goal);
+            c.splits -= 1;
+            shown
+        })?;
+        let later = self.block(&implies(&is_later, goal), |c, _| later(c))?;
+        self.logic(&[&later, &sooner], goal)
     }
 
     /// An order of two terms by induction on a natural number.
@@ -282,10 +336,8 @@ impl Prover {
         let (a, relation, b) = single(goal)?;
         let strict = matches!(relation, Relation::Less | Relation::Greater);
         let mut powers = Vec::new();
-        for n in self.naturals.clone() {
-            for e in [a, b] {
-                super::hypergeometric::powers_of_both(e, &n, &mut powers);
-            }
+        for n in &self.naturals {
+            [a, b].into_iter().for_each(|e| super::hypergeometric::powers_of_both(e, n, &mut powers));
         }
         for (base, exponent) in powers.into_iter().take(POWERS) {
             let Some(base) = self.base_of(&base) else { continue };
@@ -293,7 +345,8 @@ impl Prover {
             let kinds = [Kind::StrictTangent, Kind::Tangent, Kind::ExponentialAbove, Kind::ExponentialBelow];
             for kind in kinds.into_iter().filter(|kind| strict || *kind != Kind::StrictTangent) {
                 let shown = self.attempt(|c| {
-                    c.power_beside(&base, &exponent, kind)?;
+                    let (_, bound) = c.power_beside(&base, &exponent, kind)?;
+                    c.bounds_of_a_number(&bound);
                     c.without_cases(goal)
                 });
                 if shown.is_ok() {
@@ -302,6 +355,28 @@ impl Prover {
             }
         }
         Err(no())
+    }
+
+    /// Where an exponential is a number, between which fractions it lies.
+    fn bounds_of_a_number(&mut self, e: &Expr) {
+        let Some(value) = super::trial_points::value_here(e, &Vec::new()).filter(|v| v.abs() < 1e6) else { return };
+        if !self.is_of_numbers(e) {
+            return;
+        }
+        for (relation, by) in [(Relation::Less, 0.0005), (Relation::Greater, -0.0005)] {
+            let Ok(bound) = Rational::try_from(((value + by) * 4096.0).round()) else { return };
+            let bound = crate::refute::literal::literal(&(bound / Rational::from(4096)));
+            let _ = self.emit(Rule::Evaluate, compare(e.clone(), relation, bound));
+        }
+    }
+
+    /// Whether there is a power whose base and exponent hold a natural number.
+    pub(super) fn has_powers_of_both(&self, sides: &[Expr]) -> bool {
+        let mut powers = Vec::new();
+        for n in &self.naturals {
+            sides.iter().for_each(|e| super::hypergeometric::powers_of_both(e, n, &mut powers));
+        }
+        !powers.is_empty()
     }
 
     /// The base of a power as a quotient of polynomials.
