@@ -75,6 +75,7 @@ mod narrowing;
 mod parameters;
 mod partial_fractions;
 mod powers;
+mod powers_of_bases;
 mod powers_of_sides;
 mod products;
 mod quarters;

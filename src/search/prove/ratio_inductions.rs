@@ -100,7 +100,7 @@ impl Prover {
         let (low, high) = (low.clone(), high.clone());
         for n in self.naturals.clone().iter().rev() {
             let both = over(low.clone(), high.clone());
-            if !super::induction::is_bound_within(goal, n) {
+            if !super::induction::is_bound_within(goal, n) && !has_an_exponential(&both, n) {
                 continue;
             }
             let Some(start) = self.falls_from(&both, n) else { continue };
@@ -141,24 +141,40 @@ impl Prover {
     }
 
     /// A statement about a natural number, of those that are so much more than the least and then of each before them.
-    fn from_a_later_number(
+    pub(super) fn from_a_later_number(
         &mut self,
         goal: &Prop,
         n: &str,
         start: u32,
         later: &mut dyn FnMut(&mut Prover) -> Result<Label, Fail>,
     ) -> Result<Label, Fail> {
-        let start = self.least(n).unwrap_or(0) + start;
-        let is_later = compare(name(n), Relation::GreaterEqual, numeral(start));
-        let is_sooner = compare(name(n), Relation::Less, numeral(start));
-        let sooner = self.block(&implies(&is_sooner, goal), |c, _| {
+        let Some(start) = start.checked_sub(1) else { return later(self) };
+        let least = numeral(self.least(n).unwrap_or(0));
+        let is_least = compare(name(n), Relation::Equal, least.clone());
+        let is_more = compare(name(n), Relation::NotEqual, least.clone());
+        let next = plus(&least, numeral(1));
+        let next = self.simplified(&next).unwrap_or(next);
+        let more = self.block(&implies(&is_more, goal), |c, _| {
+            c.without_cases(&compare(name(n), Relation::GreaterEqual, next))?;
+            c.from_a_later_number(goal, n, start, later)
+        })?;
+        let first = self.block(&implies(&is_least, goal), |c, block| {
             c.splits += 1;
-            let shown = c.by_boxes(goal);
+            c.put_in(&format!("{block}s"));
+            let shown = c.by_value_of(goal, n, &least, block).or_else(|_| c.show(goal));
             c.splits -= 1;
             shown
         })?;
-        let later = self.block(&implies(&is_later, goal), |c, _| later(c))?;
-        self.logic(&[&later, &sooner], goal)
+        self.logic(&[&more, &first], goal)
+    }
+
+    /// A goal where a variable has this value: what it says with the value in its place.
+    fn by_value_of(&mut self, goal: &Prop, n: &str, value: &Expr, block: &str) -> Result<Label, Fail> {
+        let here = super::put(goal, n, value)?;
+        let shown = self.attempt(|c| c.emit(Rule::Evaluate, here.clone()).or_else(|_| c.without_cases(&here)))?;
+        let facts = [shown, format!("{block}s")];
+        self.logic(&[&facts[0], &facts[1]], goal)
+            .or_else(|_| self.combination(goal.clone(), vec![Term { facts: vec![facts[0].clone()], factor: numeral(1) }]))
     }
 
     /// An order of two terms by induction on a natural number.
@@ -340,12 +356,16 @@ impl Prover {
             [a, b].into_iter().for_each(|e| super::hypergeometric::powers_of_both(e, n, &mut powers));
         }
         for (base, exponent) in powers.into_iter().take(POWERS) {
+            let written = power(&base, &exponent);
             let Some(base) = self.base_of(&base) else { continue };
             let Some(exponent) = self.letters.polynomial(&exponent) else { continue };
             let kinds = [Kind::StrictTangent, Kind::Tangent, Kind::ExponentialAbove, Kind::ExponentialBelow];
             for kind in kinds.into_iter().filter(|kind| strict || *kind != Kind::StrictTangent) {
                 let shown = self.attempt(|c| {
                     let (_, bound) = c.power_beside(&base, &exponent, kind)?;
+                    if c.fails_with(goal, &written, &bound) {
+                        return Err(no());
+                    }
                     c.bounds_of_a_number(&bound);
                     c.without_cases(goal)
                 });
@@ -355,6 +375,20 @@ impl Prover {
             }
         }
         Err(no())
+    }
+
+    /// Whether a goal fails somewhere with a bound in the place of a power.
+    fn fails_with(&self, goal: &Prop, old: &Expr, bound: &Expr) -> bool {
+        let mut goal = goal.clone();
+        if let PropKind::Compare(sides, _) = &mut goal.kind {
+            sides.iter_mut().for_each(|e| super::sums::replace(e, old, bound));
+        }
+        let at = |j: &u32| {
+            let of = |n: &String| (n.clone(), f64::from(self.least(n).unwrap_or(0) + j));
+            let mut place: super::trial_points::Place = self.naturals.iter().map(of).collect();
+            super::trial_points::truth(&goal, &mut place, &Default::default())
+        };
+        [1, 7].iter().chain(&FAR).any(|j| at(j) == Some(false))
     }
 
     /// Where an exponential is a number, between which fractions it lies.
@@ -539,4 +573,11 @@ impl Prover {
         out.powers.push((multiplies, own, exponent));
         Some(())
     }
+}
+
+/// Whether an expression holds an exponential of a name.
+fn has_an_exponential(e: &Expr, n: &str) -> bool {
+    let mut found = matches!(&e.kind, ExprKind::Apply(f, list) if f.text == "exp" && list.iter().any(|e| holds(e, n)));
+    crate::claim::walk::parts(e, &mut |part| found |= has_an_exponential(part, n));
+    found
 }

@@ -22,6 +22,9 @@ use crate::kernel::substitution::Substitution;
 use crate::refute::literal::literal;
 use malachite::Rational;
 
+/// That a recurrence gives the next sum from 1, 2 or 3 on.
+const LATER: [&str; 3] = ["a recurrence from 1 on", "a recurrence from 2 on", "a recurrence from 3 on"];
+
 /// What is known of a sum at n and at n + 1.
 struct Step {
     /// own·S(n) + next·S(n + 1) up to n, and what this comes to.
@@ -47,8 +50,21 @@ impl Prover {
         };
         let mut variables: Vec<String> = self.naturals.iter().rev().filter(moves).cloned().collect();
         variables.sort_by_key(|n| !sides.iter().any(|e| ends_a_sum(e, n)));
-        let shown = variables.iter().find_map(|n| self.on_its_own(|c| c.by_moving_products_with(goal, n)).ok());
-        shown.ok_or_else(no)
+        for n in &variables {
+            let shown = match self.on_its_own(|c| c.by_moving_products_with(goal, n)) {
+                // What the recurrence does not reach is computed.
+                Err(Fail::No(text)) if LATER.contains(&text) => {
+                    let start = (1..).zip(LATER).find(|(_, own)| *own == text).map_or(0, |(start, _)| start);
+                    let run = &mut |c: &mut Prover| c.by_moving_products_with(goal, n);
+                    self.on_its_own(|c| c.from_a_later_number(goal, n, start, run))
+                }
+                other => other,
+            };
+            if shown.is_ok() {
+                return shown;
+            }
+        }
+        Err(no())
     }
 
     fn by_moving_products_with(&mut self, goal: &Prop, variable: &str) -> Result<Label, Fail> {
@@ -87,7 +103,12 @@ impl Prover {
             let part = if is_left { part } else { super::facts::negated(part) };
             let rest = super::facts::negated(over(step.own.clone(), step.next.clone()));
             let rest = self.simplified(&rest).unwrap_or(rest);
-            self.without_cases(&compare(step.next.clone(), Relation::NotEqual, numeral(0)))?;
+            let shown = self.without_cases(&compare(step.next.clone(), Relation::NotEqual, numeral(0)));
+            if let Err(fail) = shown {
+                // It may be 0 at the first numbers alone.
+                let last = (0..).zip(LATER).filter(|(j, _)| self.vanishes_at(&step.next, n, *j)).last();
+                return Err(last.map_or(fail, |(_, text)| Fail::No(text)));
+            }
             let terms = vec![
                 Term { facts: vec![step.fact.clone()], factor: part },
                 Term { facts: vec![hypothesis], factor: rest },
@@ -98,6 +119,11 @@ impl Prover {
         let shown = self.quietly(next).or_else(|_| self.show(next));
         self.splits = splits;
         shown
+    }
+
+    /// Whether an expression is 0 where a variable has this value.
+    fn vanishes_at(&mut self, e: &Expr, n: &str, value: u32) -> bool {
+        put_in(e, n, &numeral(value)).ok().and_then(|e| self.letters.polynomial(&e)).is_some_and(|p| p.is_zero())
     }
 
     /// The recurrence of a sum up to n, its laws put in.
