@@ -83,6 +83,7 @@ const DIRECT: &[Method] = &[
     row("tangents of a step", ALL, ALWAYS, Kept, |c, goal| c.by_tangent_of_a_step(goal)),
     row("growth of terms", ORDERS, 1, Own, |c, goal| c.by_growth(goal)),
     row("bounds of powers", ORDERS, 1, Own, |c, goal| c.by_bounds_of_powers(goal)),
+    row("powers of two bases", ORDERS, 1, Own, |c, goal| c.by_powers_of_two_bases(goal)),
     row("ranges of sums", NO_DENIAL, 1, Own, |c, goal| c.by_ranges(goal)),
     row("moving products", ALL, ALWAYS, Kept, |c, goal| c.by_moving_products(goal)),
     row("members in closed form", ALL, ALWAYS, Undone, |c, goal| c.by_members_in_closed_form(goal)),
@@ -179,7 +180,6 @@ const IN_PARTS: &[Method] = &[
     row("points of circles", ORDERS, FEW, Own, |c, goal| c.by_points_of_circles(goal)),
     row("invariants", ALL, 1, Own, |c, goal| c.by_invariants(goal)),
     row("cases", ALL, FEW, Kept, |c, goal| c.by_cases(goal)),
-    row("powers of two bases", ORDERS, LOUD, Undone, |c, goal| c.by_powers_of_two_bases(goal)),
     row("induction", ALL, ALWAYS, Kept, |c, goal| c.within_inductions(true, |c| c.by_induction(goal))),
     row("remainders", ALL, 1, Kept, |c, goal| {
         let is_order = single(goal)?.1.is_greater().is_some();

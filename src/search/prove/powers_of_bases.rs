@@ -1,40 +1,59 @@
-//! Orders of powers of two numbers with one natural exponent, in the step of an induction: (a - b)·(a^k - b^k) >= 0 for a, b >= 0, so
-//! that ((a + b)/2)^k <= (a^k + b^k)/2 passes on to k + 1.
+//! Orders of powers of numbers and of their sums with one natural exponent: ((a + b)/2)^n <= (a^n + b^n)/2 for a, b >= 0.
 //!
-//! Limits: [`PAIRS`].
+//! Method: induction on n. Its step knows that (a - b)·(a^n - b^n) >= 0, which the cases a >= b and a < b show.
+//!
+//! Limits: [`BASES`].
 
 use super::facts::minus;
 use super::letters::product;
 use super::limits::holds;
-use super::{Fail, Prover, implies};
+use super::{Fail, Prover, implies, put};
 use crate::certificate::{Label, Rule, Term};
 use crate::claim::syntax::*;
 use crate::claim::walk::parts;
 use crate::kernel::key;
 use crate::kernel::statement::{compare, name, numeral, power};
 
-/// The most pairs of bases.
-const PAIRS: usize = 3;
+/// The most variables that are bases.
+const BASES: usize = 3;
 
 impl Prover {
-    /// In the step of an induction, by how the powers of two bases in the goal are ordered.
+    /// An order of powers with one exponent, of variables and of what holds them, by induction on the exponent.
     pub(super) fn by_powers_of_two_bases(&mut self, goal: &Prop) -> Result<Label, Fail> {
-        let no = || Fail::No("powers of two bases in the step of an induction");
-        if self.inductions == 0 {
+        let no = || Fail::No("powers of two bases");
+        if self.inductions > 0 || self.splits > 0 {
             return Err(no());
         }
-        let k = self.naturals.last().cloned().ok_or_else(no)?;
-        let (mut sides, mut bases) = (Vec::new(), Vec::new());
+        let mut sides = Vec::new();
         super::goals::sides_in(goal, &mut sides);
-        sides.iter().for_each(|e| bases_of(e, &k, &mut bases));
-        let mut any = false;
-        let pairs = (0..bases.len()).flat_map(|i| (i + 1..bases.len()).map(move |j| (i, j)));
-        for (i, j) in pairs.take(PAIRS) {
-            if let (Some(a), Some(b)) = (bases.get(i), bases.get(j)) {
-                any |= self.attempt(|c| c.ordered_powers(a, b, &k)).is_ok();
+        for n in self.naturals.clone().iter().rev() {
+            let (mut bases, mut others) = (Vec::new(), Vec::new());
+            sides.iter().for_each(|e| bases_of(e, n, &mut bases, &mut others));
+            let is_mixed = |e: &Expr| bases.iter().filter(|b| super::sums::occurs(b, e)).count() > 1;
+            if bases.len() < 2 || bases.len() > BASES || !others.iter().any(is_mixed) {
+                continue;
+            }
+            let (k, least) = (self.fresh("k"), self.least(n));
+            let body = put(goal, n, &name(&k))?;
+            let shown = self.attempt(|c| {
+                c.inductions += 1;
+                let all = c.induction_by(&k, least, &body, &mut |c, _, next| {
+                    for (i, a) in bases.iter().enumerate() {
+                        for b in bases.iter().skip(i + 1) {
+                            c.ordered_powers(a, b, &k)?;
+                        }
+                    }
+                    c.without_cases(next)
+                })?;
+                c.inductions -= 1;
+                let shown = c.instance(&all, &name(n))?;
+                c.logic(&[&shown], goal)
+            });
+            if shown.is_ok() {
+                return shown;
             }
         }
-        if any { self.without_cases(goal) } else { Err(no()) }
+        Err(no())
     }
 
     /// (a - b)·(a^k - b^k) >= 0, as a fact.
@@ -42,9 +61,6 @@ impl Prover {
         let to_k = |e: &Expr| power(e, &name(k));
         let both = product(vec![minus(a, b), minus(&to_k(a), &to_k(b))]);
         let shown = compare(both, Relation::GreaterEqual, numeral(0));
-        if self.known(&shown).is_some() {
-            return Err(Fail::No("a new fact"));
-        }
         let (above, below) = (compare(a.clone(), Relation::GreaterEqual, b.clone()), compare(a.clone(), Relation::Less, b.clone()));
         let mut cases = Vec::new();
         for case in [above, below] {
@@ -68,15 +84,17 @@ impl Prover {
     }
 }
 
-/// The bases of powers whose exponents hold a name that the bases do not, each once.
-fn bases_of(e: &Expr, k: &str, out: &mut Vec<Expr>) {
+/// The bases of powers whose exponents hold a name that the bases do not: variables, and others, each variable once.
+fn bases_of(e: &Expr, n: &str, out: &mut Vec<Expr>, others: &mut Vec<Expr>) {
     if let ExprKind::Power(base, exponent) = &e.kind
-        && holds(exponent, k)
-        && !holds(base, k)
-        && matches!(base.kind, ExprKind::Name(_))
-        && !out.iter().any(|old| key::expr(old) == key::expr(base))
+        && holds(exponent, n)
+        && !holds(base, n)
     {
-        out.push((**base).clone());
+        match &base.kind {
+            ExprKind::Name(_) if !out.iter().any(|old| key::expr(old) == key::expr(base)) => out.push((**base).clone()),
+            ExprKind::Name(_) => {}
+            _ => others.push((**base).clone()),
+        }
     }
-    parts(e, &mut |part| bases_of(part, k, out));
+    parts(e, &mut |part| bases_of(part, n, out, others));
 }

@@ -84,8 +84,8 @@ impl Prover {
         self.combination(goal.clone(), terms)
     }
 
-    /// What a sum is multiplied by in the difference of the sides of a comparison.
-    fn times_in(&mut self, goal: &Prop, s: &Expr) -> Result<Expr, Fail> {
+    /// What an expression is multiplied by in the difference of the sides of a comparison.
+    pub(super) fn times_in(&mut self, goal: &Prop, s: &Expr) -> Result<Expr, Fail> {
         let (a, _, b) = single(goal)?;
         let with = |value: u32| {
             let mut e = minus(a, b);

@@ -189,6 +189,7 @@ impl Prover {
         let shown = self.counted_from_zero(&within, n, &mut |c, k, body| {
             c.induction_by(k, None, body, &mut |c, hypothesis, next| c.grown(body, hypothesis, next, k))
         })?;
+        self.take_signs_at(n);
         self.define(high);
         self.without_cases(&compare(high.clone(), Relation::Greater, numeral(0)))?;
         self.from_quotient(goal, &within, &shown, (low, high))
@@ -240,6 +241,7 @@ impl Prover {
         self.grows(own, k, true, &mut growth).ok_or_else(no)?;
         let power = self.one_power(&mut growth).ok_or_else(no)?;
         let Growth { above, below, .. } = growth;
+        above.iter().chain(&below).for_each(|e| self.bounds_of_a_number(e));
         let (above, below) = (product(above), product(below));
         let divisor = match &power {
             Some((base, exponent)) => product(vec![below.clone(), self.power_written(base, exponent)]),
@@ -282,8 +284,19 @@ impl Prover {
         let power = self.power_written(base, exponent);
         for by_exponential in [false, true] {
             for shift in SHIFTS {
+                let kind = if by_exponential { Kind::ExponentialBelow } else { Kind::Tangent };
+                let moved = exponent.add(&Polynomial::integer(shift));
+                let Some(least) = self.bound_of_a_power(base, &moved, kind) else { continue };
+                let bound = product(vec![least, whole_power(base.written.clone(), -shift)]);
+                let high = product(vec![below.clone(), bound]);
+                if self.is_denied(&compare(above.clone(), Relation::LessEqual, high)) {
+                    continue;
+                }
                 let shown = self.attempt(|c| {
-                    let Below { label, bound } = c.power_at_least(base, exponent, shift, by_exponential)?;
+                    let Below { label, bound } = c.power_at_least(base, &moved, shift, kind)?;
+                    if let ExprKind::Apply(..) = bound.kind {
+                        c.bounds_of_a_number(&bound);
+                    }
                     let high = product(vec![below.clone(), bound]);
                     let shown = c.without_cases(&compare(above.clone(), Relation::LessEqual, high))?;
                     let divisor = product(vec![below.clone(), power.clone()]);
@@ -301,17 +314,16 @@ impl Prover {
         Err(Fail::No("a bound of a power"))
     }
 
-    /// b^e from below, by its tangent or by an exponential with the exponent e + shift.
+    /// b^e from below, by its tangent or by an exponential with the exponent e + shift, here `moved`.
     fn power_at_least(
         &mut self,
         base: &Base,
-        exponent: &Polynomial,
+        moved: &Polynomial,
         shift: i64,
-        by_exponential: bool,
+        kind: Kind,
     ) -> Result<Below, Fail> {
-        let moved = exponent.add(&Polynomial::integer(shift));
-        let kind = if by_exponential { Kind::ExponentialBelow } else { Kind::Tangent };
-        let (label, least) = self.power_beside(base, &moved, kind)?;
+        let exponent = &moved.sub(&Polynomial::integer(shift));
+        let (label, least) = self.power_beside(base, moved, kind)?;
         if shift == 0 {
             return Ok(Below { label, bound: least });
         }
@@ -325,22 +337,32 @@ impl Prover {
     /// A bound of a power b^m, and what shows it.
     fn power_beside(&mut self, base: &Base, exponent: &Polynomial, kind: Kind) -> Result<(Label, Expr), Fail> {
         let no = || Fail::No("a bound of a power");
-        let (above, below) = &base.quotient;
         let (b, m) = (base.written.clone(), self.letters.written(exponent));
+        let bound = self.bound_of_a_power(base, exponent, kind).ok_or_else(no)?;
         self.define(&b);
         self.without_cases(&compare(b.clone(), Relation::Greater, numeral(0)))?;
-        let more = above.sub(below);
-        let times = more.try_mul(exponent).map_err(|_| no())?;
-        let written = |c: &mut Prover, p: &Polynomial, q: &Polynomial| c.quotient_written(p, q).ok_or_else(no);
-        if let Kind::Tangent | Kind::StrictTangent = kind {
-            let least = written(self, &times.add(below), below)?;
-            return Ok((self.tangent_of_a_power((&b, &m), &least, kind == Kind::StrictTangent)?, least));
+        let label = match &bound.kind {
+            ExprKind::Apply(_, list) if matches!(kind, Kind::ExponentialAbove | Kind::ExponentialBelow) => {
+                let all = list.first().ok_or_else(no)?;
+                let is_above = kind == Kind::ExponentialAbove;
+                let (above, below) = &base.quotient;
+                let rate = self.quotient_written(&above.sub(below), if is_above { below } else { above });
+                self.exponential_beside((&b, &m), (&rate.ok_or_else(no)?, all), is_above)?
+            }
+            _ => self.tangent_of_a_power((&b, &m), &bound, kind == Kind::StrictTangent)?,
+        };
+        Ok((label, bound))
+    }
+
+    /// A bound of a power b^m.
+    fn bound_of_a_power(&mut self, base: &Base, exponent: &Polynomial, kind: Kind) -> Option<Expr> {
+        let (above, below) = &base.quotient;
+        let times = above.sub(below).try_mul(exponent).ok()?;
+        match kind {
+            Kind::Tangent | Kind::StrictTangent => self.quotient_written(&times.add(below), below),
+            Kind::ExponentialAbove => Some(apply("exp", self.quotient_written(&times, below)?)),
+            Kind::ExponentialBelow => Some(apply("exp", self.quotient_written(&times, above)?)),
         }
-        let is_above = kind == Kind::ExponentialAbove;
-        let divisor = if is_above { below } else { above };
-        let (rate, all) = (written(self, &more, divisor)?, written(self, &times, divisor)?);
-        let label = self.exponential_beside((&b, &m), (&rate, &all), is_above)?;
-        Ok((label, apply("exp", all)))
     }
 
     /// Shows an order by a bound of a power in it whose base and exponent hold a natural number, as (1 + 1/n)^n < 3.
@@ -361,10 +383,28 @@ impl Prover {
             let Some(exponent) = self.letters.polynomial(&exponent) else { continue };
             let kinds = [Kind::StrictTangent, Kind::Tangent, Kind::ExponentialAbove, Kind::ExponentialBelow];
             for kind in kinds.into_iter().filter(|kind| strict || *kind != Kind::StrictTangent) {
+                let Some(bound) = self.bound_of_a_power(&base, &exponent, kind) else { continue };
+                let mut least = goal.clone();
+                if let PropKind::Compare(sides, _) = &mut least.kind {
+                    sides.iter_mut().for_each(|e| super::sums::replace(e, &written, &bound));
+                }
+                if self.is_denied(&least) {
+                    continue;
+                }
                 let shown = self.attempt(|c| {
-                    let (_, bound) = c.power_beside(&base, &exponent, kind)?;
-                    if c.fails_with(goal, &written, &bound) {
-                        return Err(no());
+                    let (label, _) = c.power_beside(&base, &exponent, kind)?;
+                    let direct = c.attempt(|c| {
+                        let shown = c.at_once(&least).or_else(|_| c.without_cases(&least))?;
+                        let times = c.times_in(goal, &written)?;
+                        let times = if kind == Kind::ExponentialAbove { times } else { negated(times) };
+                        let terms = vec![
+                            Term { facts: vec![shown], factor: numeral(1) },
+                            Term { facts: vec![label], factor: times },
+                        ];
+                        c.combination(goal.clone(), terms)
+                    });
+                    if direct.is_ok() {
+                        return direct;
                     }
                     c.bounds_of_a_number(&bound);
                     c.without_cases(goal)
@@ -377,18 +417,13 @@ impl Prover {
         Err(no())
     }
 
-    /// Whether a goal fails somewhere with a bound in the place of a power.
-    fn fails_with(&self, goal: &Prop, old: &Expr, bound: &Expr) -> bool {
-        let mut goal = goal.clone();
-        if let PropKind::Compare(sides, _) = &mut goal.kind {
-            sides.iter_mut().for_each(|e| super::sums::replace(e, old, bound));
-        }
-        let at = |j: &u32| {
+    /// Whether an order fails somewhere where it is tried.
+    fn is_denied(&self, order: &Prop) -> bool {
+        [0, 1, 7].iter().chain(&FAR).any(|j| {
             let of = |n: &String| (n.clone(), f64::from(self.least(n).unwrap_or(0) + j));
             let mut place: super::trial_points::Place = self.naturals.iter().map(of).collect();
-            super::trial_points::truth(&goal, &mut place, &Default::default())
-        };
-        [1, 7].iter().chain(&FAR).any(|j| at(j) == Some(false))
+            super::trial_points::truth(order, &mut place, &Default::default()) == Some(false)
+        })
     }
 
     /// Where an exponential is a number, between which fractions it lies.
