@@ -33,9 +33,21 @@ impl Prover {
             if bases.len() < 2 || bases.len() > BASES || !others.iter().any(is_mixed) {
                 continue;
             }
+            let start = u32::from(self.least(n).is_none());
+            let shown = self.attempt(|c| c.from_a_later_number(goal, n, start, &mut |c| c.by_ordered_powers(goal, n, &bases)));
+            if shown.is_ok() {
+                return shown;
+            }
+        }
+        Err(no())
+    }
+
+    /// From 1 on.
+    fn by_ordered_powers(&mut self, goal: &Prop, n: &str, bases: &[Expr]) -> Result<Label, Fail> {
+        {
             let (k, least) = (self.fresh("k"), self.least(n));
             let body = put(goal, n, &name(&k))?;
-            let shown = self.attempt(|c| {
+            self.attempt(|c| {
                 c.inductions += 1;
                 let all = c.induction_by(&k, least, &body, &mut |c, _, next| {
                     for (i, a) in bases.iter().enumerate() {
@@ -48,12 +60,8 @@ impl Prover {
                 c.inductions -= 1;
                 let shown = c.instance(&all, &name(n))?;
                 c.logic(&[&shown], goal)
-            });
-            if shown.is_ok() {
-                return shown;
-            }
+            })
         }
-        Err(no())
     }
 
     /// (a - b)·(a^k - b^k) >= 0, as a fact.

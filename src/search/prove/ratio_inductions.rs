@@ -189,9 +189,18 @@ impl Prover {
         let shown = self.counted_from_zero(&within, n, &mut |c, k, body| {
             c.induction_by(k, None, body, &mut |c, hypothesis, next| c.grown(body, hypothesis, next, k))
         })?;
-        self.take_signs_at(n);
         self.define(high);
-        self.without_cases(&compare(high.clone(), Relation::Greater, numeral(0)))?;
+        let positive = compare(high.clone(), Relation::Greater, numeral(0));
+        self.without_cases(&positive).or_else(|_| {
+            // Of the factors of a product it is seen where what n is more than the least number stands for n.
+            self.counted_from_zero(&positive, n, &mut |c, k, body| {
+                let binding = Binding::of(Name::new(k), true, Vec::new());
+                c.block(&prop(PropKind::ForAll(vec![binding], Box::new(body.clone()))), |c, _| {
+                    c.define_sides(body);
+                    c.without_cases(body)
+                })
+            })
+        })?;
         self.from_quotient(goal, &within, &shown, (low, high))
     }
 
@@ -394,7 +403,10 @@ impl Prover {
                 let shown = self.attempt(|c| {
                     let (label, _) = c.power_beside(&base, &exponent, kind)?;
                     let direct = c.attempt(|c| {
-                        let shown = c.at_once(&least).or_else(|_| c.without_cases(&least))?;
+                        let shown = match c.speaks_of_numbers(&least) {
+                            true => c.emit(Rule::Evaluate, least.clone())?,
+                            false => c.without_cases(&least)?,
+                        };
                         let times = c.times_in(goal, &written)?;
                         let times = if kind == Kind::ExponentialAbove { times } else { negated(times) };
                         let terms = vec![
