@@ -4,7 +4,7 @@
 //!
 //! Limits: [`BASES`].
 
-use super::facts::minus;
+use super::facts::{minus, negated};
 use super::letters::product;
 use super::limits::holds;
 use super::{Fail, Prover, implies, put};
@@ -34,7 +34,8 @@ impl Prover {
                 continue;
             }
             let start = u32::from(self.least(n).is_none());
-            let shown = self.attempt(|c| c.from_a_later_number(goal, n, start, &mut |c| c.by_ordered_powers(goal, n, &bases)));
+            let shown =
+                self.attempt(|c| c.from_a_later_number(goal, n, start, &mut |c| c.by_ordered_powers(goal, n, &bases)));
             if shown.is_ok() {
                 return shown;
             }
@@ -42,26 +43,22 @@ impl Prover {
         Err(no())
     }
 
-    /// From 1 on.
+    /// The same from the least exponent on.
     fn by_ordered_powers(&mut self, goal: &Prop, n: &str, bases: &[Expr]) -> Result<Label, Fail> {
-        {
-            let (k, least) = (self.fresh("k"), self.least(n));
-            let body = put(goal, n, &name(&k))?;
-            self.attempt(|c| {
-                c.inductions += 1;
-                let all = c.induction_by(&k, least, &body, &mut |c, _, next| {
-                    for (i, a) in bases.iter().enumerate() {
-                        for b in bases.iter().skip(i + 1) {
-                            c.ordered_powers(a, b, &k)?;
-                        }
-                    }
-                    c.without_cases(next)
-                })?;
-                c.inductions -= 1;
-                let shown = c.instance(&all, &name(n))?;
-                c.logic(&[&shown], goal)
-            })
-        }
+        let (k, least) = (self.fresh("k"), self.least(n));
+        let body = put(goal, n, &name(&k))?;
+        self.inductions += 1;
+        let all = self.induction_by(&k, least, &body, &mut |c, _, next| {
+            for (i, a) in bases.iter().enumerate() {
+                for b in bases.iter().skip(i + 1) {
+                    c.ordered_powers(a, b, &k)?;
+                }
+            }
+            c.without_cases(next)
+        })?;
+        self.inductions -= 1;
+        let shown = self.instance(&all, &name(n))?;
+        self.logic(&[&shown], goal)
     }
 
     /// (a - b)·(a^k - b^k) >= 0, as a fact.
@@ -69,16 +66,16 @@ impl Prover {
         let to_k = |e: &Expr| power(e, &name(k));
         let both = product(vec![minus(a, b), minus(&to_k(a), &to_k(b))]);
         let shown = compare(both, Relation::GreaterEqual, numeral(0));
-        let (above, below) = (compare(a.clone(), Relation::GreaterEqual, b.clone()), compare(a.clone(), Relation::Less, b.clone()));
+        let (above, below) =
+            (compare(a.clone(), Relation::GreaterEqual, b.clone()), compare(a.clone(), Relation::Less, b.clone()));
         let mut cases = Vec::new();
-        for case in [above, below] {
+        for (case, is_above) in [(above, true), (below, false)] {
             let case = self.block(&implies(&case, &shown), |c, block| {
                 let mut from = format!("{block}s");
-                let (mut large, mut small) = (a, b);
-                if matches!(case.single(), Some((_, Relation::Less, _))) {
-                    (large, small) = (b, a);
-                    let weak = compare(b.clone(), Relation::GreaterEqual, a.clone());
-                    from = c.combination(weak, vec![Term { facts: vec![from], factor: crate::refute::literal::literal(&malachite::Rational::from(-1)) }])?;
+                let (large, small) = if is_above { (a, b) } else { (b, a) };
+                if !is_above {
+                    let turned = Term { facts: vec![from], factor: negated(numeral(1)) };
+                    from = c.combination(compare(b.clone(), Relation::GreaterEqual, a.clone()), vec![turned])?;
                 }
                 let powers = compare(to_k(large), Relation::GreaterEqual, to_k(small));
                 let powers = c.emit(Rule::Monotone { from: from.clone() }, powers)?;

@@ -173,8 +173,9 @@ impl Prover {
         let here = super::put(goal, n, value)?;
         let shown = self.attempt(|c| c.emit(Rule::Evaluate, here.clone()).or_else(|_| c.without_cases(&here)))?;
         let facts = [shown, format!("{block}s")];
-        self.logic(&[&facts[0], &facts[1]], goal)
-            .or_else(|_| self.combination(goal.clone(), vec![Term { facts: vec![facts[0].clone()], factor: numeral(1) }]))
+        self.logic(&[&facts[0], &facts[1]], goal).or_else(|_| {
+            self.combination(goal.clone(), vec![Term { facts: vec![facts[0].clone()], factor: numeral(1) }])
+        })
     }
 
     /// An order of two terms by induction on a natural number.
@@ -324,13 +325,7 @@ impl Prover {
     }
 
     /// b^e from below, by its tangent or by an exponential with the exponent e + shift, here `moved`.
-    fn power_at_least(
-        &mut self,
-        base: &Base,
-        moved: &Polynomial,
-        shift: i64,
-        kind: Kind,
-    ) -> Result<Below, Fail> {
+    fn power_at_least(&mut self, base: &Base, moved: &Polynomial, shift: i64, kind: Kind) -> Result<Below, Fail> {
         let exponent = &moved.sub(&Polynomial::integer(shift));
         let (label, least) = self.power_beside(base, moved, kind)?;
         if shift == 0 {
@@ -390,8 +385,14 @@ impl Prover {
             let written = power(&base, &exponent);
             let Some(base) = self.base_of(&base) else { continue };
             let Some(exponent) = self.letters.polynomial(&exponent) else { continue };
+            let times = self.times_in(goal, &written)?;
+            let needs_above =
+                self.is_positive_here(&times).map(|positive| positive != (relation.is_greater() == Some(true)));
             let kinds = [Kind::StrictTangent, Kind::Tangent, Kind::ExponentialAbove, Kind::ExponentialBelow];
             for kind in kinds.into_iter().filter(|kind| strict || *kind != Kind::StrictTangent) {
+                if needs_above.is_some_and(|above| above != (kind == Kind::ExponentialAbove)) {
+                    continue;
+                }
                 let Some(bound) = self.bound_of_a_power(&base, &exponent, kind) else { continue };
                 let mut least = goal.clone();
                 if let PropKind::Compare(sides, _) = &mut least.kind {
@@ -407,8 +408,7 @@ impl Prover {
                             true => c.emit(Rule::Evaluate, least.clone())?,
                             false => c.without_cases(&least)?,
                         };
-                        let times = c.times_in(goal, &written)?;
-                        let times = if kind == Kind::ExponentialAbove { times } else { negated(times) };
+                        let times = if kind == Kind::ExponentialAbove { times.clone() } else { negated(times.clone()) };
                         let terms = vec![
                             Term { facts: vec![shown], factor: numeral(1) },
                             Term { facts: vec![label], factor: times },
@@ -436,6 +436,13 @@ impl Prover {
             let mut place: super::trial_points::Place = self.naturals.iter().map(of).collect();
             super::trial_points::truth(order, &mut place, &Default::default()) == Some(false)
         })
+    }
+
+    /// Whether an expression of natural numbers is positive, where they are a little more than the least.
+    fn is_positive_here(&self, e: &Expr) -> Option<bool> {
+        let of = |n: &String| (n.clone(), f64::from(self.least(n).unwrap_or(0) + 3));
+        let place = self.naturals.iter().map(of).collect();
+        super::trial_points::value_here(e, &place).filter(|value| *value != 0.0).map(|value| value > 0.0)
     }
 
     /// Where an exponential is a number, between which fractions it lies.

@@ -50,7 +50,9 @@ impl Prover {
         for start in least..=least + LATER {
             // What is left where the sum ends at the start.
             let Some(first) = sum_between(body, k, from, start) else { continue };
-            let Some(gap) = computed(bound, &Vec::new()).map(|bound| bound - first).filter(|gap| *gap > 0) else { continue };
+            let Some(gap) = computed(bound, &Vec::new()).map(|bound| bound - first).filter(|gap| *gap > 0) else {
+                continue;
+            };
             let mut left: Vec<Expr> = Vec::new();
             for q in (1..=fall).rev() {
                 for apart in [Rational::from(1) - Rational::from(start), half.clone(), Rational::from(0)] {
