@@ -98,6 +98,7 @@ const DECIDED: &[&str] = &[
     "inductions",
     "integrals",
     "units",
+    "hypergeometric-inequalities",
 ];
 
 /// What a procedure decided is not lost in silence, and what is true is never refuted.
