@@ -141,7 +141,7 @@ impl Prover {
             if !c.is_whole(&name(x)) {
                 return c.along(goal, l, l.variable.clone());
             }
-            let y = Name::new(&c.fresh("y"));
+            let y = Name::new(c.fresh("y"));
             let every = prop(PropKind::ForAll(vec![Binding::of(y.clone(), false, Vec::new())], Box::new(goal.clone())));
             let every = c.block(&every, |c, _| c.along(goal, l, y.clone()))?;
             let here = vec![(y, numeral(0))];

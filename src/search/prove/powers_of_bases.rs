@@ -34,8 +34,7 @@ impl Prover {
                 continue;
             }
             let start = u32::from(self.least(n).is_none());
-            let shown =
-                self.attempt(|c| c.from_a_later_number(goal, n, start, &mut |c| c.by_ordered_powers(goal, n, &bases)));
+            let shown = self.attempt(|c| c.begun_later(goal, n, start, &mut |c| c.by_ordered_powers(goal, n, &bases)));
             if shown.is_ok() {
                 return shown;
             }

@@ -106,7 +106,7 @@ impl Prover {
             let Some(start) = self.falls_from(&both, n) else { continue };
             let shown = self.on_its_own(|c| match start {
                 0 => c.by_growth_in(goal, (&low, &high), n),
-                _ => c.from_a_later_number(goal, n, start, &mut |c| c.by_growth_in(goal, (&low, &high), n)),
+                _ => c.begun_later(goal, n, start, &mut |c| c.by_growth_in(goal, (&low, &high), n)),
             });
             if shown.is_ok() {
                 return shown;
@@ -131,7 +131,7 @@ impl Prover {
         let by = compare(expr(ExprKind::Product(by)), Relation::LessEqual, numeral(1));
         let least = self.least(n).unwrap_or(0);
         let grows = |j: u32| {
-            let mut place = vec![(n.to_string(), f64::from(least + j))];
+            let mut place = vec![(n.to_string(), f64::from(least) + f64::from(j))];
             super::trial_points::truth(&by, &mut place, &Default::default()) == Some(false)
         };
         if FAR.iter().any(|j| grows(*j)) {
@@ -141,7 +141,7 @@ impl Prover {
     }
 
     /// A statement about a natural number, of those that are so much more than the least and then of each before them.
-    pub(super) fn from_a_later_number(
+    pub(super) fn begun_later(
         &mut self,
         goal: &Prop,
         n: &str,
@@ -156,7 +156,7 @@ impl Prover {
         let next = self.simplified(&next).unwrap_or(next);
         let more = self.block(&implies(&is_more, goal), |c, _| {
             c.without_cases(&compare(name(n), Relation::GreaterEqual, next))?;
-            c.from_a_later_number(goal, n, start, later)
+            c.begun_later(goal, n, start, later)
         })?;
         let first = self.block(&implies(&is_least, goal), |c, block| {
             c.splits += 1;
@@ -202,12 +202,12 @@ impl Prover {
                 })
             })
         })?;
-        self.from_quotient(goal, &within, &shown, (low, high))
+        self.order_of_sides(goal, &within, &shown, (low, high))
     }
 
     /// An order from that of the quotient of its sides beside 1. It is shown of all numbers, for the kernel may take a side apart
     /// into products whose signs are not known.
-    fn from_quotient(
+    fn order_of_sides(
         &mut self,
         goal: &Prop,
         within: &Prop,
@@ -432,7 +432,7 @@ impl Prover {
     /// Whether an order fails somewhere where it is tried.
     fn is_denied(&self, order: &Prop) -> bool {
         [0, 1, 7].iter().chain(&FAR).any(|j| {
-            let of = |n: &String| (n.clone(), f64::from(self.least(n).unwrap_or(0) + j));
+            let of = |n: &String| (n.clone(), f64::from(self.least(n).unwrap_or(0)) + f64::from(*j));
             let mut place: super::trial_points::Place = self.naturals.iter().map(of).collect();
             super::trial_points::truth(order, &mut place, &Default::default()) == Some(false)
         })
@@ -440,7 +440,7 @@ impl Prover {
 
     /// Whether an expression of natural numbers is positive, where they are a little more than the least.
     fn is_positive_here(&self, e: &Expr) -> Option<bool> {
-        let of = |n: &String| (n.clone(), f64::from(self.least(n).unwrap_or(0) + 3));
+        let of = |n: &String| (n.clone(), f64::from(self.least(n).unwrap_or(0)) + 3.0);
         let place = self.naturals.iter().map(of).collect();
         super::trial_points::value_here(e, &place).filter(|value| *value != 0.0).map(|value| value > 0.0)
     }

@@ -95,7 +95,7 @@ impl Prover {
         let step = compare(total(members), weak, less);
         let least = self.least(n).unwrap_or(0);
         let fails = |j: &u32| {
-            let mut place = vec![(n.to_string(), f64::from(least + j))];
+            let mut place = vec![(n.to_string(), f64::from(least) + f64::from(*j))];
             super::trial_points::truth(&step, &mut place, &Default::default()) == Some(false)
         };
         (!TRIED.iter().any(fails)).then_some(step)

@@ -21,6 +21,9 @@ use malachite::Rational;
 /// The highest power that is left.
 const POWER: i64 = 4;
 
+/// The greatest least n.
+const FIRST: u32 = 100;
+
 /// How much later than at the least n a bound may hold.
 const LATER: u32 = 2;
 
@@ -40,7 +43,7 @@ impl Prover {
         let ExprKind::SumOver(index, body) = &whole.kind else { return Err(no()) };
         let ExprKind::Name(n) = &index.to.kind else { return Err(no()) };
         let (from, least) = (natural(&index.from).ok_or_else(no)?, self.least(n).unwrap_or(0));
-        if !self.naturals.contains(n) || holds(bound, n) || holds(body, n) {
+        if !self.naturals.contains(n) || holds(bound, n) || holds(body, n) || least > FIRST {
             return Err(no());
         }
         let k = index.name.text.as_str();
@@ -50,7 +53,7 @@ impl Prover {
         for start in least..=least + LATER {
             // What is left where the sum ends at the start.
             let Some(first) = sum_between(body, k, from, start) else { continue };
-            let Some(gap) = computed(bound, &Vec::new()).map(|bound| bound - first).filter(|gap| *gap > 0) else {
+            let Some(gap) = computed(bound, &[]).map(|bound| bound - first).filter(|gap| *gap > 0) else {
                 continue;
             };
             let mut left: Vec<Expr> = Vec::new();
@@ -64,13 +67,13 @@ impl Prover {
                     }
                 }
             }
-            if let Some(last) = computed(&own, &vec![(n.clone(), start)]).filter(|last| *last > 0) {
+            if let Some(last) = computed(&own, &[(n.clone(), start)]).filter(|last| *last > 0) {
                 left.push(product(vec![literal(&(&gap / last)), own.clone()]));
             }
             for left in left {
                 // The next member takes no more than what then is left less.
                 let holds_at = |m: u32| {
-                    let of = |e: &Expr, m: u32| computed(e, &vec![(n.clone(), m)]);
+                    let of = |e: &Expr, m: u32| computed(e, &[(n.clone(), m)]);
                     let (here, next, member) = (of(&left, m), of(&left, m + 1), of(&own, m + 1));
                     here.zip(next).zip(member).is_none_or(|((here, next), member)| member <= here - next)
                 };
@@ -79,7 +82,7 @@ impl Prover {
                 }
                 let sharper = compare(whole.clone(), Relation::LessEqual, minus(bound, &left));
                 let shown = self.attempt(|c| {
-                    c.from_a_later_number(goal, n, start - least, &mut |c| {
+                    c.begun_later(goal, n, start - least, &mut |c| {
                         c.attempt(|c| c.by_steps_of_sums(&sharper)).or_else(|_| c.show_by_induction_on(&sharper, n))?;
                         c.quietly(goal)
                     })
@@ -100,11 +103,11 @@ fn power_of(q: &Rational, k: i64) -> Rational {
 
 /// The sum of the members from one number to another.
 fn sum_between(body: &Expr, k: &str, from: u32, to: u32) -> Option<Rational> {
-    (from..=to).try_fold(Rational::from(0), |sum, i| Some(sum + computed(body, &vec![(k.to_string(), i)])?))
+    (from..=to).try_fold(Rational::from(0), |sum, i| Some(sum + computed(body, &[(k.to_string(), i)])?))
 }
 
 /// The value of an expression that operations with numbers give, where names have these values.
-fn computed(e: &Expr, at: &Vec<(String, u32)>) -> Option<Rational> {
+fn computed(e: &Expr, at: &[(String, u32)]) -> Option<Rational> {
     let value = |e: &Expr| computed(e, at);
     Some(match &e.kind {
         ExprKind::Name(n) => Rational::from(at.iter().rev().find(|own| own.0 == *n)?.1),
@@ -127,7 +130,7 @@ fn computed(e: &Expr, at: &Vec<(String, u32)>) -> Option<Rational> {
             let end = |e: &Expr| u32::try_from(&value(e)?).ok().filter(|k| *k <= 64);
             let (from, to) = (end(&index.from)?, end(&index.to)?);
             (from..=to).try_fold(Rational::from(1), |all, i| {
-                let mut inner = at.clone();
+                let mut inner = at.to_vec();
                 inner.push((index.name.text.clone(), i));
                 Some(all * computed(body, &inner)?)
             })?

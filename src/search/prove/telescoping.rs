@@ -56,7 +56,7 @@ impl Prover {
                 Err(Fail::No(text)) if LATER.contains(&text) => {
                     let start = (1..).zip(LATER).find(|(_, own)| *own == text).map_or(0, |(start, _)| start);
                     let run = &mut |c: &mut Prover| c.by_moving_products_with(goal, n);
-                    self.on_its_own(|c| c.from_a_later_number(goal, n, start, run))
+                    self.on_its_own(|c| c.begun_later(goal, n, start, run))
                 }
                 other => other,
             };
