@@ -145,12 +145,12 @@ impl Prover {
             None if matches!(body.kind, PropKind::ForAll(..)) => {
                 return self.by_turning_values(goal, bindings, body).or_else(|_| self.far_enough(goal, bindings, body));
             }
+            None if let Ok(label) = self.by_example_of_a_unit(goal, bindings, body) => return Ok(label),
             None => match self.solved(&all, inner) {
                 Some(point) => point,
                 None => {
                     return self
-                        .by_example_of_a_unit(goal, bindings, body)
-                        .or_else(|_| self.with_half(|c| c.by_equations(goal, bindings, body)))
+                        .with_half(|c| c.by_equations(goal, bindings, body))
                         .or_else(|_| self.by_intermediate_value(goal, bindings, body))
                         .or_else(|_| self.with_solved_equations(|c| c.by_equations(goal, bindings, body)))
                         .or_else(|_| self.on_its_own(|c| c.by_a_far_number(goal, bindings, body)))
@@ -200,7 +200,7 @@ impl Prover {
         let there = at_number.prop(goal).map_err(Fail::from)?;
         let PropKind::Exists(own, inner) = &there.kind else { return Err(no()) };
         let (all, inner) = together(own, inner);
-        let mut point = self.example(&all, inner).ok_or_else(no)?;
+        let mut point = self.example(&all, inner).or_else(|| self.solved(&all, inner)).ok_or_else(no)?;
         if !natural {
             point.iter_mut().for_each(|(_, value)| *value = product(vec![value.clone(), name(&v)]));
         }
