@@ -88,6 +88,15 @@ impl Prover {
         }
         let (left, right) = (map.expr(left).map_err(Fail::from)?, map.expr(right).map_err(Fail::from)?);
         let difference = minus(&left, &right);
+        // A number is evaluated, however long it is when it is multiplied out.
+        if self.is_of_numbers(&difference) {
+            for relation in [Relation::Less, Relation::Greater] {
+                let order = compare(left.clone(), relation, right.clone());
+                if let Ok(fact) = self.attempt(|c| c.emit(Rule::Evaluate, order)) {
+                    return Ok(Side { value, relation, fact, within });
+                }
+            }
+        }
         self.define(&difference);
         if self.read(&difference, false).is_none() {
             return Err(Fail::No("the sides of an equation at a value"));
