@@ -7,7 +7,7 @@
 //!
 //! Where R <= 1 from a later number on alone, as (n + 1)^3 <= 3·n^3, what is before it is computed.
 //!
-//! Limits: [`SHIFTS`], [`POWER`], [`POWERS`], [`LATER`].
+//! Limits: [`SHIFTS`], [`POWER`], [`POWERS`], [`NAMES`], [`LATER`].
 
 use super::comparison::single;
 use super::facts::negated;
@@ -22,12 +22,16 @@ use crate::claim::syntax::*;
 use crate::kernel::statement::{apply, compare, expr, name, numeral, power, prop};
 use malachite::Rational;
 use malachite::base::num::arithmetic::traits::Abs;
+use std::collections::BTreeSet;
 
 /// How far the exponent m of a bound is from that of the power.
 const SHIFTS: [i64; 3] = [0, 1, -1];
 
 /// The most powers in a goal that are bounded.
 const POWERS: usize = 2;
+
+/// The most variables of a goal in which powers are bounded.
+const NAMES: usize = 1;
 
 /// Up to where the growth of a term is tried number by number.
 const LATER: u32 = 12;
@@ -377,6 +381,12 @@ impl Prover {
         }
         let (a, relation, b) = single(goal)?;
         let strict = matches!(relation, Relation::Less | Relation::Greater);
+        // What is left of a goal in many variables is no easier.
+        let mut names = BTreeSet::new();
+        crate::kernel::names::free_names(goal, &mut names);
+        if names.iter().filter(|n| *n != PI && !is_built_in(n)).count() > NAMES {
+            return Err(no());
+        }
         let mut powers = Vec::new();
         for n in &self.naturals {
             [a, b].into_iter().for_each(|e| super::hypergeometric::powers_of_both(e, n, &mut powers));
@@ -406,7 +416,7 @@ impl Prover {
                     let direct = c.attempt(|c| {
                         let shown = match c.speaks_of_numbers(&least) {
                             true => c.emit(Rule::Evaluate, least.clone())?,
-                            false => c.without_cases(&least)?,
+                            false => c.quietly(&least)?,
                         };
                         let times = if kind == Kind::ExponentialAbove { times.clone() } else { negated(times.clone()) };
                         let terms = vec![
@@ -419,7 +429,7 @@ impl Prover {
                         return direct;
                     }
                     c.bounds_of_a_number(&bound);
-                    c.without_cases(goal)
+                    c.quietly(goal)
                 });
                 if shown.is_ok() {
                     return shown;

@@ -230,8 +230,11 @@ impl Prover {
         self.combination(goal.clone(), terms)
     }
 
-    /// A quotient of polynomials in lowest terms.
+    /// A quotient of polynomials in lowest terms; none over 0.
     pub(super) fn quotient_written(&self, above: &Polynomial, below: &Polynomial) -> Option<Expr> {
+        if below.is_zero() {
+            return None;
+        }
         let common = gcd(above, below).ok()?;
         let (above, below) = (above.exact_divide(&common)?, below.exact_divide(&common)?);
         let (number, below) = below.primitive_part();
@@ -294,7 +297,8 @@ impl Prover {
         let written = self.as_written(factors, n, 0)?;
         let i = self.letters.of(&name(&factors.index.name.text));
         let mut slope = |e: &Expr| self.letters.polynomial(e)?.derivative(i).as_constant();
-        let scale = slope(&written.at).ok_or_else(no)? / slope(&factors.at).ok_or_else(no)?;
+        let own = slope(&factors.at).filter(|q| *q != 0).ok_or_else(no)?;
+        let scale = slope(&written.at).ok_or_else(no)? / own;
         let other = Factors { at: super::letters::product(vec![literal(&scale), other.clone()]), ..factors.clone() };
         let j = self.fresh("j");
         let goal = super::put(&compare(written.product(), Relation::Equal, other.product()), n, &name(&j))?;
