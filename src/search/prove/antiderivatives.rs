@@ -2,7 +2,7 @@
 //!
 //! Method: sums by parts; what is free of the variable stays; powers, exponentials, logarithms, sines and cosines of a linear
 //! argument by the table; polynomials times one of them by parts; products of powers of a sine and a cosine by their reductions, and of
-//! two of different arguments by sums; powers of logarithms and arcs by parts; roots of c ± a·x²; h(u)·u′ by substitution (`substitutions`); rational functions by partial
+//! two of different arguments, or of two beside a polynomial, by sums; powers of logarithms and arcs by parts; roots of c ± a·x²; h(u)·u′ by substitution (`substitutions`); rational functions by partial
 //! fractions (`partial_fractions`).
 //! Coefficients may be zeros that are not seen to be zeros: then the proposal fails, and nothing is lost.
 //!
@@ -25,6 +25,9 @@ const DEPTH: usize = 8;
 
 /// The highest power of a logarithm.
 const LOGARITHMS: i64 = 4;
+
+/// The most sines and cosines that stand beside other factors.
+const WAVES: usize = 4;
 
 /// An antiderivative of f in x.
 pub(super) fn antiderivative(f: &Expr, x: &str) -> Option<Expr> {
@@ -114,6 +117,7 @@ fn of_factors(list: &[(Expr, Expr)], x: &str, depth: usize) -> Option<Expr> {
     }
     sines_and_cosines(list, x)
         .or_else(|| of_two_waves(list, x))
+        .or_else(|| of_waves_beside(list, x, depth))
         .or_else(|| by_parts(list, x, depth))
         .or_else(|| by_substitution(list, x, depth))
         .or_else(|| of_fraction(list, x))
@@ -266,6 +270,40 @@ fn of_two_waves(list: &[(Expr, Expr)], x: &str) -> Option<Expr> {
         _ => return None,
     };
     let sum = total(vec![(Sign::Plus, of_wave(function, minus)?), (sign, of_wave(function, plus)?)]);
+    Some(times(&literal(&Rational::from_signeds(1, 2)), &sum))
+}
+
+/// A polynomial, an exponential or both times two or more sines and cosines of linear arguments: two of these are half a sum of waves,
+/// as in x²·cos(x)² = (x² + x²·cos(2·x))/2. The product of two waves alone has other ways.
+fn of_waves_beside(list: &[(Expr, Expr)], x: &str, depth: usize) -> Option<Expr> {
+    let as_wave = |(base, k): &(Expr, Expr)| match &base.kind {
+        ExprKind::Apply(f, u) if matches!(f.text.as_str(), "sin" | "cos") && u.len() == 1 => {
+            slope(&u[0], x)?;
+            let k = usize::try_from(whole(k)?).ok().filter(|k| *k <= WAVES)?;
+            Some(std::iter::repeat_n((f.text == "sin", u[0].clone()), k))
+        }
+        _ => None,
+    };
+    let mut waves: Vec<(bool, Expr)> = list.iter().filter_map(as_wave).flatten().collect();
+    let others: Vec<Expr> =
+        list.iter().filter(|factor| as_wave(factor).is_none()).map(|(base, k)| raised(base, k)).collect();
+    if others.is_empty() || !(2..=WAVES).contains(&waves.len()) {
+        return None;
+    }
+    let ((f, u), (g, v)) = (waves.pop()?, waves.pop()?);
+    let rest = waves.into_iter().map(|(is_sine, u)| apply(if is_sine { "sin" } else { "cos" }, u));
+    let beside: Vec<Expr> = others.into_iter().chain(rest).collect();
+    let (u, v) = if g && !f { (v, u) } else { (u, v) };
+    let is_sine = f != g;
+    let part = |w: Option<Expr>| match w {
+        Some(w) => product(beside.iter().cloned().chain([apply(if is_sine { "sin" } else { "cos" }, w)]).collect()),
+        None if is_sine => numeral(0),
+        None => product(beside.clone()),
+    };
+    let minus = (u != v).then(|| total(vec![(Sign::Plus, u.clone()), (Sign::Minus, v.clone())]));
+    let plus = if u == v { times(&numeral(2), &u) } else { add(vec![u, v]) };
+    let sign = if f && g { Sign::Minus } else { Sign::Plus };
+    let sum = total(vec![(Sign::Plus, of(&part(minus), x, depth)?), (sign, of(&part(Some(plus)), x, depth)?)]);
     Some(times(&literal(&Rational::from_signeds(1, 2)), &sum))
 }
 

@@ -152,6 +152,24 @@ impl Prover {
         self.derived(goal, zeros, &open.rest, found)
     }
 
+    /// Shows an equation whose difference is this polynomial times the rest, by these facts alone.
+    pub(super) fn in_ideal_of(
+        &mut self,
+        goal: &Prop,
+        poly: &Polynomial,
+        rest: &[Expr],
+        facts: &[(Label, Prop)],
+    ) -> Result<Label, Fail> {
+        let mut zeros = Vec::new();
+        for (label, fact) in facts {
+            if let Some(k) = self.known_of(label, fact).filter(|k| k.kind == Kind::Zero && !k.poly.is_zero()) {
+                zeros.push(Zero { poly: k.poly, facts: k.facts, factors: k.factors });
+            }
+        }
+        let (zeros, found) = self.derivation_of(poly, zeros, &[], FIRST_WORK)?;
+        self.derived(goal, zeros, rest, found)
+    }
+
     /// Shows any goal: the equations have no common zero beside what is not 0.
     fn without_common_zero(&mut self, goal: &Prop, divisors: &[Polynomial], work: usize) -> Result<Label, Fail> {
         let zeros = self.zeros(divisors);

@@ -74,6 +74,7 @@ mod methods;
 mod narrowing;
 mod parameters;
 mod partial_fractions;
+mod parts_of_pi;
 mod powers;
 mod powers_of_bases;
 mod powers_of_sides;
