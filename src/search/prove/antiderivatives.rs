@@ -257,7 +257,8 @@ fn of_two_waves(list: &[(Expr, Expr)], x: &str) -> Option<Expr> {
     };
     let ([u], [v]) = (u.as_slice(), v.as_slice()) else { return None };
     let (u, v) = if (f.text.as_str(), g.text.as_str()) == ("cos", "sin") { (v, u) } else { (u, v) };
-    let (minus, plus) = (total(vec![(Sign::Plus, u.clone()), (Sign::Minus, v.clone())]), add(vec![u.clone(), v.clone()]));
+    let (minus, plus) =
+        (total(vec![(Sign::Plus, u.clone()), (Sign::Minus, v.clone())]), add(vec![u.clone(), v.clone()]));
     // The antiderivative of cos(w) or sin(w).
     let of_wave = |function: &str, w: Expr| {
         let p = slope(&w, x)?;

@@ -93,6 +93,7 @@ const DIRECT: &[Method] = &[
     row("conclusions", ALL, LOUD, Kept, |c, goal| {
         if c.conclude_at_once() { c.quietly(goal) } else { Err(Fail::No("a known premise")) }
     }),
+    row("halved sums", ALL, LOUD, Own, |c, goal| c.by_halved_sums(goal)),
     row("parts of pi", EQUATION, ALWAYS, Undone, |c, goal| c.by_parts_of_pi(goal)),
     row("products of facts", ALL, ALWAYS, Undone, |c, goal| c.by_products(goal, 0)),
     row("ideals", EQUATION, ALWAYS, Undone, |c, goal| c.by_ideal(goal)),

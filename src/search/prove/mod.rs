@@ -52,6 +52,7 @@ mod found_limits;
 mod fourier_motzkin;
 mod goals;
 mod growing_sums;
+mod halved_sums;
 mod hoelder;
 mod homogeneous;
 mod hypergeometric;

@@ -50,10 +50,7 @@ impl Unit {
         let mut out = [Polynomial::one(), Polynomial::zero()];
         for _ in 0..k {
             let [x, y] = &out;
-            out = [
-                x.try_mul(&c).ok()?.sub(&y.try_mul(&s).ok()?),
-                y.try_mul(&c).ok()?.add(&x.try_mul(&s).ok()?),
-            ];
+            out = [x.try_mul(&c).ok()?.sub(&y.try_mul(&s).ok()?), y.try_mul(&c).ok()?.add(&x.try_mul(&s).ok()?)];
         }
         Some(out)
     }
@@ -99,7 +96,8 @@ impl Prover {
                 let other = c.letters.written(&turned);
                 c.evaluated_sign(&other)?;
                 let both = open.poly.try_mul(&turned).map_err(|_| no())?;
-                let zero = compare(product(vec![c.letters.written(&open.poly), other.clone()]), Relation::Equal, numeral(0));
+                let zero =
+                    compare(product(vec![c.letters.written(&open.poly), other.clone()]), Relation::Equal, numeral(0));
                 let label = c.in_ideal_of(&zero, &both, &[], &known)?;
                 let rest = product(open.rest.clone());
                 c.combination(goal.clone(), vec![Term { facts: vec![label], factor: over(rest, other) }])
@@ -220,7 +218,8 @@ impl Prover {
         }
         let label = self.combination(shown.clone(), Vec::new()).or_else(|_| {
             self.against_opposite(&shown, |c, _| {
-                let denied = c.fact(&label).and_then(|p| Some(compare(p.single()?.0.clone(), Relation::NotEqual, numeral(0))));
+                let denied =
+                    c.fact(&label).and_then(|p| Some(compare(p.single()?.0.clone(), Relation::NotEqual, numeral(0))));
                 let denied = c.combination(denied.ok_or_else(no)?, Vec::new())?;
                 c.logic(&[&denied, &label], &shown)
             })
