@@ -120,12 +120,12 @@ impl Prover {
                 q = q.lcm(u64::try_from(turns.number.denominator_ref()).ok().filter(|d| *d < 1000)?);
             }
         }
-        (IN_ROOTS % q != 0).then_some(q)
+        (!IN_ROOTS.is_multiple_of(q)).then_some(q)
     }
 
     /// The unit π/q, once the cosines and sines of the other parts are written by its own.
     fn unit(&mut self, q: u64) -> Option<Unit> {
-        if RATIONAL[0].1.iter().all(|h| q % h != 0 || q / h > MULTIPLE_LIMIT) {
+        if RATIONAL[0].1.iter().all(|h| !q.is_multiple_of(*h) || q / h > MULTIPLE_LIMIT) {
             return None;
         }
         let argument = Unit::part(q);
@@ -151,7 +151,9 @@ impl Prover {
         };
         let mut out = vec![(circle.clone(), round)];
         for (place, (f, parts)) in RATIONAL.into_iter().enumerate() {
-            let fits = |h: &u64| unit.q % h == 0 && unit.q / h <= MULTIPLE_LIMIT && (f == "cos" || unit.q / h % 2 == 1);
+            let fits = |h: &u64| {
+                unit.q.is_multiple_of(*h) && unit.q / h <= MULTIPLE_LIMIT && (f == "cos" || unit.q / h % 2 == 1)
+            };
             if let Some(h) = parts.into_iter().find(fits)
                 && let Ok(found) = self.attempt(|c| c.zero_of(unit, place, h, &circle))
             {
