@@ -440,6 +440,7 @@ fn instances<'c>(proof: &'c claim::Proof, into: &mut Vec<&'c str>) {
 }
 
 #[cfg(test)]
+#[allow(clippy::unwrap_used)] // a test stops where it fails
 mod tests {
     use super::*;
 

@@ -57,7 +57,8 @@ impl Prover {
             let e = self.letters.written(&f.poly);
             if f.power % 2 != 0 && !is_settled(f.signs) {
                 let signs = if is_split { self.sign_in_full(&e) } else { f.signs };
-                if !is_settled(signs) && !(f.power < 0 && self.is_divisor_settled(&e, signs)) {
+                let is_shown = is_settled(signs) || f.power < 0 && self.is_divisor_settled(&e, signs);
+                if !is_shown {
                     return Err(no());
                 }
             } else if strict && !f.signs.within(Signs::NOT_ZERO) {

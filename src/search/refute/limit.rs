@@ -103,9 +103,7 @@ impl At<'_> {
         Some(match falls {
             Ordering::Greater => Tends::To(exact(0)),
             Ordering::Less => Tends::Infinitely,
-            Ordering::Equal => {
-                Tends::To(multiply(&above.lead, &invert(&below.lead, String::new).ok()?))
-            }
+            Ordering::Equal => Tends::To(multiply(&above.lead, &invert(&below.lead, String::new).ok()?)),
         })
     }
 

@@ -76,7 +76,8 @@ impl Parser {
                 Kind::End => break,
                 _ => {}
             }
-            is_complete = matches!(token.kind, Kind::Word(_) | Kind::Number(_) | Kind::Raised(_) | Kind::Sign(")" | "]"));
+            is_complete =
+                matches!(token.kind, Kind::Word(_) | Kind::Number(_) | Kind::Raised(_) | Kind::Sign(")" | "]"));
         }
         out
     }
