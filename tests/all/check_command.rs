@@ -36,8 +36,8 @@ fn the_certificates_that_come_with_the_program_are_accepted_one_by_one() {
 fn a_proof_that_the_kernel_does_not_check_is_no_proof() {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("mine.claim");
-    // No rule of the kernel shows this limit: the first claim has no certificate, the second one has.
-    let first = "claim root \"t\"\ngiven n natural >= 1\nprove limit of 1/ln(n + 1) as n -> infinity is 0\n";
+    // No method finds this limit: the first claim has no certificate, the second one has.
+    let first = "claim root \"t\"\nprove limit of sum(k = 1..n, 1/k^2) as n natural -> infinity is pi^2/6\n";
     let second = "claim halves \"t\"\ngiven x > 0\nprove x/2 + x/2 = x\n";
     std::fs::write(&file, format!("{first}\n{second}")).unwrap();
     let plain = carom(&["audit", text(&file)]);

@@ -68,7 +68,7 @@ fn every_claim_but_the_one_that_coq_cannot_say_is_proved_there() {
 fn the_library_that_proofs_rest_on_stays_short() {
     let lines = |name: &str| committed(&format!("proofs/coq/{name}.v")).lines().count();
     let library: usize = ["vocabulary", "rules", "bounds", "points", "values"].into_iter().map(lines).sum();
-    assert!(library <= 1368, "{library} lines");
+    assert!(library <= 1378, "{library} lines");
     let files: Vec<&str> = embedded::coq_files().iter().map(|f| f.path).collect();
     assert_eq!(files, ["bounds", "claims", "further", "points", "rules", "values", "vocabulary"]);
 }

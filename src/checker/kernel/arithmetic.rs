@@ -113,7 +113,8 @@ impl Checker {
     ///
     /// Sound: both sides have values. Logarithms: ln(x·y) = ln x + ln y, ln(x^E) = E·ln x for x, y > 0. Powers: let p be
     /// a factor, raised to E₁, E₂, … on the left and to F₁, … on the right, with Σ E = Σ F.
-    /// - p > 0: p^E = exp(E·ln p), so both sides have the same power of p. For p ≤ 0, p^k = (−1)^k·(−p)^k, and −p is taken as the factor.
+    /// - p > 0: p^E = exp(E·ln p), so both sides have the same power of p. For p ≤ 0, p^k = (−1)^k·(−p)^k, and −p is
+    ///   taken as the factor.
     /// - p ≠ 0 and p is raised to whole numbers only: the same by counting factors. (sqrt(p^2) is no such power.)
     /// - p is raised to natural numbers only: the same, also for p = 0, where b^0 = 1.
     /// - p ≥ 0 and all exponents positive, some on each side: the first if p > 0; if p = 0 both sides are 0.
@@ -179,7 +180,7 @@ impl Checker {
         if self.expanded_logarithms(&sum, known)?.is_zero() { Ok(()) } else { rejected(Reason::Powers) }
     }
 
-    /// The factors of a fraction, with −p for each factor p that is negative or 0, and whether the fraction is the opposite of the product of
+    /// The factors of a fraction, with −p for each factor p ≤ 0 that is not known to be 0, and whether the fraction is the opposite of the product of
     /// these and its number's absolute value.
     fn turned_factors(&mut self, f: &Fraction, known: &Known) -> Result<(Vec<(Poly, i64)>, bool), Refusal> {
         let mut negative = f.coefficient.is_negative();
@@ -187,7 +188,8 @@ impl Checker {
         for (poly, k) in &f.factors {
             // A power is taken apart as it stands.
             let power = poly.single_atom().is_some_and(|a| matches!(self.atoms.get(a), Some(Atom::Power(..))));
-            let turned = !power && self.signs_of(&Fraction::of(poly), known)?.within(Signs::of(Relation::LessEqual));
+            let signs = self.signs_of(&Fraction::of(poly), known)?;
+            let turned = !power && signs.within(Signs::of(Relation::LessEqual)) && !signs.within(Signs::NOT_NEGATIVE);
             negative ^= turned && k % 2 != 0;
             let minus = || poly.times(&Poly::constant(BigRational::from_integer((-1).into())), &self.work);
             factors.push((if turned { minus()? } else { poly.clone() }, *k));

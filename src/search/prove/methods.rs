@@ -149,7 +149,7 @@ const DIRECT: &[Method] = &[
     row("logarithms of the sides", ALL, LOUD, Own, |c, goal| c.by_logarithms(goal)),
     row("sums in closed form", ALL, LOUD, Undone, |c, goal| c.by_sums(goal)),
     row("tails of sums", ALL, LOUD, Undone, |c, goal| c.by_what_is_left(goal)),
-    row("steps of sums", NO_DENIAL, 1, Own, |c, goal| c.by_steps_of_sums(goal)),
+    row("steps of sums", NO_DENIAL, 1, Own, |c, goal| c.with_half_of_the_time(|c| c.by_steps_of_sums(goal))),
     row("integral test", ORDERS, LOUD, Own, |c, goal| c.by_integral_test(goal)),
     row("divisors multiplied out", ALL, LOUD, Undone, |c, goal| c.without_divisors(goal)),
     row("slopes", ALL, LOUD, Undone, |c, goal| c.by_slope(goal)),
