@@ -17,7 +17,7 @@ use std::path::Path;
 use std::time::Duration;
 
 fn limits() -> Limits {
-    Limits { time: Duration::from_secs(6), steps: 40_000, ..Limits::default() }
+    Limits { time: Duration::from_secs(12), steps: 40_000, ..Limits::default() }
 }
 
 fn claims(folder: &str) -> Vec<Claim> {
