@@ -7,11 +7,11 @@ import { test } from "node:test";
 import { DIST, SHOTS, answered, eta, shoot, shows, visit } from "./browser.mjs";
 
 /** Bytes of all files, compressed by `gzip -9` as web/build prints them. */
-const MOST_BYTES = 4_500_000;
+const MOST_BYTES = 4_700_000;
 /** Milliseconds from the start of the page to its first answer; a machine that does other work may be slower. */
 const FIRST_ANSWER = Number(process.env.FIRST_ANSWER_MS ?? 1000);
 
-test("the files are at most 4.5 MB when compressed", () => {
+test("the files are at most 4.7 MB when compressed", () => {
   const compressed = (file) => execFileSync("gzip", ["-9", "-c", DIST + file], { maxBuffer: 2 * MOST_BYTES });
   const bytes = readdirSync(DIST).reduce((all, file) => all + compressed(file).length, 0);
   console.log(`  ${bytes} bytes`);
