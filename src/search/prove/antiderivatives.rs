@@ -1,8 +1,9 @@
 //! Antiderivatives of elementary functions: a proposal, which the kernel's derivative confirms.
 //!
 //! Method: sums by parts; what is free of the variable stays; powers, exponentials, logarithms, sines and cosines of a linear
-//! argument by the table; polynomials times one of them by parts; products of powers of a sine and a cosine by their reductions, and of
-//! two of different arguments, or of two beside a polynomial, by sums; powers of logarithms and arcs by parts; roots of c ± a·x²; h(u)·u′ by substitution (`substitutions`); rational functions by partial
+//! argument by the table; polynomials times one of them by parts; products of powers of a sine and a cosine by their reductions, and
+//! of several arguments or beside other factors by sums; powers of logarithms and arcs by parts; roots of c ± a·x²; h(u)·u′ by
+//! substitution (`substitutions`); rational functions by partial
 //! fractions (`partial_fractions`).
 //! Coefficients may be zeros that are not seen to be zeros: then the proposal fails, and nothing is lost.
 //!
@@ -26,7 +27,7 @@ const DEPTH: usize = 8;
 /// The highest power of a logarithm.
 const LOGARITHMS: i64 = 4;
 
-/// The most sines and cosines that stand beside other factors.
+/// The most sines and cosines of a product.
 const WAVES: usize = 4;
 
 /// An antiderivative of f in x.
@@ -116,8 +117,7 @@ fn of_factors(list: &[(Expr, Expr)], x: &str, depth: usize) -> Option<Expr> {
         _ => {}
     }
     sines_and_cosines(list, x)
-        .or_else(|| of_two_waves(list, x))
-        .or_else(|| of_waves_beside(list, x, depth))
+        .or_else(|| of_waves(list, x, depth))
         .or_else(|| by_parts(list, x, depth))
         .or_else(|| by_substitution(list, x, depth))
         .or_else(|| of_fraction(list, x))
@@ -248,35 +248,9 @@ fn sines_and_cosines(list: &[(Expr, Expr)], x: &str) -> Option<Expr> {
     Some(over(value, p))
 }
 
-/// The product of two sines or cosines of linear arguments u and v, as half a sum of sines or cosines of u − v and u + v.
-fn of_two_waves(list: &[(Expr, Expr)], x: &str) -> Option<Expr> {
-    let [(f, one), (g, other)] = list else { return None };
-    let (ExprKind::Apply(f, u), ExprKind::Apply(g, v), Some(1), Some(1)) = (&f.kind, &g.kind, whole(one), whole(other))
-    else {
-        return None;
-    };
-    let ([u], [v]) = (u.as_slice(), v.as_slice()) else { return None };
-    let (u, v) = if (f.text.as_str(), g.text.as_str()) == ("cos", "sin") { (v, u) } else { (u, v) };
-    let (minus, plus) =
-        (total(vec![(Sign::Plus, u.clone()), (Sign::Minus, v.clone())]), add(vec![u.clone(), v.clone()]));
-    // The antiderivative of cos(w) or sin(w).
-    let of_wave = |function: &str, w: Expr| {
-        let p = slope(&w, x)?;
-        Some(if function == "cos" { over(apply("sin", w), p) } else { negated(over(apply("cos", w), p)) })
-    };
-    let (function, sign) = match (f.text.as_str(), g.text.as_str()) {
-        ("cos", "cos") => ("cos", Sign::Plus),
-        ("sin", "sin") => ("cos", Sign::Minus),
-        ("sin", "cos") | ("cos", "sin") => ("sin", Sign::Plus),
-        _ => return None,
-    };
-    let sum = total(vec![(Sign::Plus, of_wave(function, minus)?), (sign, of_wave(function, plus)?)]);
-    Some(times(&literal(&Rational::from_signeds(1, 2)), &sum))
-}
-
-/// A polynomial, an exponential or both times two or more sines and cosines of linear arguments: two of these are half a sum of waves,
-/// as in x²·cos(x)² = (x² + x²·cos(2·x))/2. The product of two waves alone has other ways.
-fn of_waves_beside(list: &[(Expr, Expr)], x: &str, depth: usize) -> Option<Expr> {
+/// Two or more sines and cosines of linear arguments, also times a polynomial, an exponential or both: two of these are half a sum of
+/// waves, as in x²·cos(x)² = (x² + x²·cos(2·x))/2 and cos(m·x)·cos(n·x) = (cos((m − n)·x) + cos((m + n)·x))/2.
+fn of_waves(list: &[(Expr, Expr)], x: &str, depth: usize) -> Option<Expr> {
     let as_wave = |(base, k): &(Expr, Expr)| match &base.kind {
         ExprKind::Apply(f, u) if matches!(f.text.as_str(), "sin" | "cos") && u.len() == 1 => {
             slope(&u[0], x)?;
@@ -288,7 +262,7 @@ fn of_waves_beside(list: &[(Expr, Expr)], x: &str, depth: usize) -> Option<Expr>
     let mut waves: Vec<(bool, Expr)> = list.iter().filter_map(as_wave).flatten().collect();
     let others: Vec<Expr> =
         list.iter().filter(|factor| as_wave(factor).is_none()).map(|(base, k)| raised(base, k)).collect();
-    if others.is_empty() || !(2..=WAVES).contains(&waves.len()) {
+    if !(2..=WAVES).contains(&waves.len()) {
         return None;
     }
     let ((f, u), (g, v)) = (waves.pop()?, waves.pop()?);

@@ -122,3 +122,8 @@ impl Prover {
         last
     }
 }
+
+/// The cosine and the sine of the sum of two angles, by those of each, as polynomials.
+pub(super) fn of_a_sum([x, y]: &[Polynomial; 2], [c, s]: &[Polynomial; 2]) -> Option<[Polynomial; 2]> {
+    Some([x.try_mul(c).ok()?.sub(&y.try_mul(s).ok()?), y.try_mul(c).ok()?.add(&x.try_mul(s).ok()?)])
+}

@@ -187,9 +187,7 @@ impl Prover {
     /// unit, natural ones as they are.
     fn by_example_of_a_unit(&mut self, goal: &Prop, bindings: &[Binding], body: &Prop) -> Result<Label, Fail> {
         let no = || Fail::No("a witness");
-        let mut free = BTreeSet::new();
-        crate::kernel::names::free_names(goal, &mut free);
-        free.retain(|n| n != PI && !is_built_in(n));
+        let mut free = variables_of(goal);
         let (Some(v), None) = (free.pop_first(), free.pop_first()) else { return Err(no()) };
         if self.checker.statement().sequences.iter().any(|s| s.name == v) {
             return Err(no());
@@ -445,6 +443,14 @@ pub(crate) fn together<'p>(bindings: &[Binding], body: &'p Prop) -> (Vec<Binding
         inner = body;
     }
     (all, inner)
+}
+
+/// The free names of a proposition, but those of the language.
+pub(super) fn variables_of(p: &Prop) -> BTreeSet<String> {
+    let mut names = BTreeSet::new();
+    crate::kernel::names::free_names(p, &mut names);
+    names.retain(|n| n != PI && !is_built_in(n));
+    names
 }
 
 /// The sides of every comparison in a proposition, but for those under quantifiers.

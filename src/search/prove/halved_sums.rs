@@ -5,6 +5,7 @@
 //! cosine P and sine Q of the sum of the others, cos γ·Y = Q + X·sin γ. So Y = 1, and then sin γ = P and cos γ = Q, which are put in.
 //! The goal is left with an angle less.
 
+use super::circle::of_a_sum;
 use super::facts::minus;
 use super::letters::{product, whole_power};
 use super::limits::over;
@@ -166,11 +167,6 @@ impl Prover {
 
 /// The cosine and the sine of a sum of angles.
 fn turned(points: &[Point]) -> Option<[Polynomial; 2]> {
-    let mut out = [Polynomial::one(), Polynomial::zero()];
-    for point in points {
-        let [x, y] = &out;
-        let (c, s) = (&point.cosine, &point.sine);
-        out = [x.try_mul(c).ok()?.sub(&y.try_mul(s).ok()?), y.try_mul(c).ok()?.add(&x.try_mul(s).ok()?)];
-    }
-    Some(out)
+    let none = [Polynomial::one(), Polynomial::zero()];
+    points.iter().try_fold(none, |sum, point| of_a_sum(&sum, &[point.cosine.clone(), point.sine.clone()]))
 }

@@ -9,6 +9,7 @@
 //!
 //! Certificate: rule `circle` for the k-fold cosine and sine, `evaluate` for what is not 0, combinations for the rest.
 
+use super::circle::of_a_sum;
 use super::comparison::single;
 use super::facts::negated;
 use super::letters::{as_power, product, whole_power};
@@ -46,13 +47,8 @@ struct Unit {
 impl Unit {
     /// cos(k·u) and sin(k·u) as polynomials in both.
     fn multiple(&self, k: u64) -> Option<[Polynomial; 2]> {
-        let [c, s] = [self.cosine, self.sine].map(Polynomial::variable);
-        let mut out = [Polynomial::one(), Polynomial::zero()];
-        for _ in 0..k {
-            let [x, y] = &out;
-            out = [x.try_mul(&c).ok()?.sub(&y.try_mul(&s).ok()?), y.try_mul(&c).ok()?.add(&x.try_mul(&s).ok()?)];
-        }
-        Some(out)
+        let own = [self.cosine, self.sine].map(Polynomial::variable);
+        (0..k).try_fold([Polynomial::one(), Polynomial::zero()], |sum, _| of_a_sum(&sum, &own))
     }
 
     /// The part π/h.

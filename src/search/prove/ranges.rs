@@ -13,14 +13,12 @@ use super::facts::minus;
 use super::letters::natural;
 use super::limits::{holds, plus};
 use super::slopes::put_in;
-use super::sums::replace;
+use super::sums::{replace, sums_where};
 use super::values::over as over_index;
 use super::{Fail, Prover};
 use crate::algebra::Polynomial;
 use crate::certificate::{Label, Term};
 use crate::claim::syntax::*;
-use crate::claim::walk::parts;
-use crate::kernel::key;
 use crate::kernel::statement::{compare, name, numeral, prop};
 use crate::refute::literal::literal;
 use malachite::Rational;
@@ -46,7 +44,8 @@ impl Prover {
         }
         let (mut sides, mut sums) = (Vec::new(), Vec::new());
         super::goals::sides_in(goal, &mut sides);
-        sides.iter().for_each(|e| ranges(e, &self.naturals, &mut sums));
+        let begins = |index: &Index| self.naturals.iter().any(|n| holds(&index.from, n));
+        sides.iter().for_each(|e| sums_where(e, &begins, &mut sums));
         if !sums.is_empty() || single(goal)?.1 == Relation::Equal {
             self.moved_sums(&sides, &mut sums);
         }
@@ -99,12 +98,8 @@ impl Prover {
     /// The sums from a number on whose members hold a natural variable added to the index, as 1/(n + k).
     fn moved_sums(&mut self, sides: &[Expr], out: &mut Vec<Expr>) {
         let mut sums = Vec::new();
-        sides.iter().for_each(|e| sums_in(e, &mut sums));
-        for s in sums {
-            if self.moved_range(&s).is_some() && !out.iter().any(|old| key::expr(old) == key::expr(&s)) {
-                out.push(s);
-            }
-        }
+        sides.iter().for_each(|e| sums_where(e, &|_| true, &mut sums));
+        out.extend(sums.into_iter().filter(|s| self.moved_range(s).is_some()));
     }
 
     /// The variable that members hold added to the index, and the sum over a range that begins at it.
@@ -164,28 +159,5 @@ impl Prover {
         let same = compare(s.clone(), Relation::Equal, value.clone());
         let label = self.combination(same, vec![Term { facts: vec![here], factor: numeral(1) }])?;
         Ok((value, label))
-    }
-}
-
-/// The sums that begin at one of these names, each once and none in another.
-fn ranges(e: &Expr, names: &[String], out: &mut Vec<Expr>) {
-    match &e.kind {
-        ExprKind::SumOver(index, _) => {
-            let begins = names.iter().any(|n| holds(&index.from, n));
-            if begins && !out.iter().any(|s| key::expr(s) == key::expr(e)) {
-                out.push(e.clone());
-            }
-        }
-        ExprKind::ProductOver(..) | ExprKind::IntegralOver(..) | ExprKind::Derivative(..) => {}
-        _ => parts(e, &mut |part| ranges(part, names, out)),
-    }
-}
-
-/// The outermost sums.
-fn sums_in(e: &Expr, out: &mut Vec<Expr>) {
-    match &e.kind {
-        ExprKind::SumOver(..) => out.push(e.clone()),
-        ExprKind::ProductOver(..) | ExprKind::IntegralOver(..) | ExprKind::Derivative(..) => {}
-        _ => parts(e, &mut |part| sums_in(part, out)),
     }
 }

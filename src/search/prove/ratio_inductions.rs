@@ -22,7 +22,6 @@ use crate::claim::syntax::*;
 use crate::kernel::statement::{apply, compare, expr, name, numeral, power, prop};
 use malachite::Rational;
 use malachite::base::num::arithmetic::traits::Abs;
-use std::collections::BTreeSet;
 
 /// How far the exponent m of a bound is from that of the power.
 const SHIFTS: [i64; 3] = [0, 1, -1];
@@ -382,9 +381,7 @@ impl Prover {
         let (a, relation, b) = single(goal)?;
         let strict = matches!(relation, Relation::Less | Relation::Greater);
         // What is left of a goal in many variables is no easier.
-        let mut names = BTreeSet::new();
-        crate::kernel::names::free_names(goal, &mut names);
-        if names.iter().filter(|n| *n != PI && !is_built_in(n)).count() > NAMES {
+        if super::goals::variables_of(goal).len() > NAMES {
             return Err(no());
         }
         let mut powers = Vec::new();

@@ -12,7 +12,7 @@ use super::facts::minus;
 use super::letters::{product, total};
 use super::limits::{holds, plus};
 use super::slopes::put_in;
-use super::sums::replace;
+use super::sums::{replace, sums_where};
 use super::{Fail, Prover, put};
 use crate::algebra::Polynomial;
 use crate::certificate::{Label, Term};
@@ -38,7 +38,7 @@ impl Prover {
         for n in self.naturals.clone().iter().rev() {
             let mut sums = Vec::new();
             for side in [a, b] {
-                sums_up_to(side, n, &mut sums);
+                sums_where(side, &|index| holds(&index.to, n), &mut sums);
             }
             if sums.is_empty() {
                 continue;
@@ -126,19 +126,6 @@ impl Prover {
         self.inductions -= 1;
         let shown = self.instance(&all, &name(n))?;
         self.logic(&[&shown], goal)
-    }
-}
-
-/// The outermost sums that hold a name in their end, each once.
-fn sums_up_to(e: &Expr, n: &str, out: &mut Vec<Expr>) {
-    match &e.kind {
-        ExprKind::SumOver(index, _) => {
-            if holds(&index.to, n) && !out.iter().any(|s| key::expr(s) == key::expr(e)) {
-                out.push(e.clone());
-            }
-        }
-        ExprKind::ProductOver(..) | ExprKind::IntegralOver(..) | ExprKind::Derivative(..) => {}
-        _ => parts(e, &mut |part| sums_up_to(part, n, out)),
     }
 }
 

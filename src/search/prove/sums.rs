@@ -243,3 +243,16 @@ pub(super) fn replace(e: &mut Expr, old: &Expr, value: &Expr) {
         parts_mut(e, &mut |part| replace(part, old, value));
     }
 }
+
+/// The outermost sums over an index that fits, each once.
+pub(super) fn sums_where(e: &Expr, fits: &dyn Fn(&Index) -> bool, out: &mut Vec<Expr>) {
+    match &e.kind {
+        ExprKind::SumOver(index, _) => {
+            if fits(index) && !out.iter().any(|s| key::expr(s) == key::expr(e)) {
+                out.push(e.clone());
+            }
+        }
+        ExprKind::ProductOver(..) | ExprKind::IntegralOver(..) | ExprKind::Derivative(..) => {}
+        _ => parts(e, &mut |part| sums_where(part, fits, out)),
+    }
+}

@@ -7,7 +7,7 @@
 
 use super::coefficients::{polynomial, rational};
 use super::comparison::single;
-use super::facts::minus;
+use super::facts::{minus, power_of};
 use super::letters::{natural, product, whole_power};
 use super::limits::{holds, over, plus};
 use super::slopes::put_in;
@@ -94,11 +94,6 @@ impl Prover {
         }
         Err(no())
     }
-}
-
-/// A power of a number.
-fn power_of(q: &Rational, k: i64) -> Rational {
-    (0..k).fold(Rational::from(1), |all, _| all * q)
 }
 
 /// The sum of the members from one number to another.

@@ -10,8 +10,9 @@
 
 use super::facts::minus;
 use super::letters::{as_power, product, whole_power};
-use super::limits::{holds, over};
+use super::limits::{holds, over, plus};
 use super::solved_equations::factors_with;
+use super::sums::replace;
 use super::trial_points::{Place, Turns, truth, value_here};
 use super::{Fail, Prover, implies, under_root};
 use crate::algebra::Polynomial;
@@ -21,7 +22,7 @@ use crate::claim::walk::parts_mut;
 use crate::kernel::key;
 use crate::kernel::names::{free_names, names_in};
 use crate::kernel::order::Signs;
-use crate::kernel::statement::{apply, compare, domain, expr, name, numeral, prop, sum};
+use crate::kernel::statement::{apply, compare, domain, expr, name, numeral, prop};
 use crate::kernel::substitution::Substitution;
 use crate::refute::literal::literal;
 use malachite::Rational;
@@ -319,7 +320,7 @@ impl Prover {
                     }
                     if let ([other], 0) = (rest.as_slice(), place) {
                         let (values, _) = c.values_where_it_turns(bindings, body, other, turns);
-                        let between = values.windows(2).map(|pair| halved(&plus(&pair[0], &pair[1])));
+                        let between = values.windows(2).map(|pair| halved(&plus(&pair[0], pair[1].clone())));
                         let all: Vec<Expr> = values.iter().cloned().chain(between.collect::<Vec<_>>()).collect();
                         others.extend(all.into_iter().filter(|e| holds(e, own)).map(|e| vec![((*other).clone(), e)]));
                     }
@@ -367,9 +368,13 @@ impl Prover {
             values.extend(self.bounds_of_zeros(difference, own));
             for end in &ends {
                 let mut map = Substitution::default();
-                map.replace(own, &plus(end, &name(own)));
+                map.replace(own, &plus(end, name(own)));
                 let moved = map.expr(difference).map(|moved| self.bounds_of_zeros(&moved, own)).unwrap_or_default();
-                values.extend(moved.iter().map(|value| self.simplified(&plus(end, value)).unwrap_or(plus(end, value))));
+                values.extend(
+                    moved
+                        .iter()
+                        .map(|value| self.simplified(&plus(end, value.clone())).unwrap_or(plus(end, value.clone()))),
+                );
             }
         }
         let mut free = BTreeSet::new();
@@ -382,9 +387,9 @@ impl Prover {
         let mut more: Vec<Expr> = Vec::new();
         for value in &values {
             more.extend([halved(value), product(vec![numeral(2), value.clone()])]);
-            more.extend([plus(value, &numeral(1)), minus(value, &numeral(1))]);
-            more.push(over(value.clone(), plus(&numeral(1), value)));
-            more.extend(ends.iter().filter(|end| *end != value).map(|end| halved(&plus(value, end))));
+            more.extend([plus(value, numeral(1)), minus(value, &numeral(1))]);
+            more.push(over(value.clone(), plus(&numeral(1), value.clone())));
+            more.extend(ends.iter().filter(|end| *end != value).map(|end| halved(&plus(value, end.clone()))));
         }
         values.extend(more);
         values.extend([0, 1, -1, 2, -2].map(|k| literal(&Rational::from(k))));
@@ -638,10 +643,6 @@ fn within_a_quantifier(p: &Prop) -> bool {
     }
 }
 
-fn plus(a: &Expr, b: &Expr) -> Expr {
-    sum(vec![(Sign::Plus, a.clone()), (Sign::Plus, b.clone())])
-}
-
 fn halved(e: &Expr) -> Expr {
     over(e.clone(), numeral(2))
 }
@@ -683,11 +684,11 @@ fn differences_in(p: &Prop, out: &mut Vec<Expr>, within: &mut Vec<String>) {
 /// An expression with u and −u for an absolute value of u that holds a name, and u alone: where that is 0 it turns.
 fn without_absolute_values(e: &Expr, own: &str) -> Vec<Expr> {
     let Some(inside) = first_absolute_value(e, own) else { return vec![e.clone()] };
-    let absolute = key::expr(&apply("sqrt", whole_power(inside.clone(), 2)));
+    let absolute = apply("sqrt", whole_power(inside.clone(), 2));
     let mut out = vec![inside.clone()];
     for value in [inside.clone(), super::facts::negated(inside)] {
         let mut plain = e.clone();
-        put(&mut plain, &absolute, &value);
+        replace(&mut plain, &absolute, &value);
         if key::expr(&plain) == key::expr(e) {
             return vec![e.clone()];
         }
@@ -710,15 +711,6 @@ fn first_absolute_value(e: &Expr, own: &str) -> Option<Expr> {
         }
     });
     found
-}
-
-/// Puts a value in the place of an expression.
-fn put(e: &mut Expr, place: &str, value: &Expr) {
-    if key::expr(e) == place {
-        *e = value.clone();
-        return;
-    }
-    parts_mut(e, &mut |part| put(part, place, value));
 }
 
 /// Writes the roots of 0 and 1 as these numbers.
