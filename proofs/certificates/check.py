@@ -414,13 +414,13 @@ class Checker(Logic):
         return f
 
     def turned(self, f, known):
-        """A number and the factors of f, with -p for each factor p <= 0 that may be negative: p^k is (-1)^k * (-p)^k. A power stays."""
+        """A number and the factors of f, with -p for each factor p <= 0 that is not known to be 0: p^k is (-1)^k * (-p)^k. A power stays."""
         c, factors = f.c, []
         for p, k in f.factors.items():
             p = F(1, {p: 1})
             inner = self.atoms[p.single()[0]] if p.single() else (None,)
             signs = self.signs(p, known)
-            if inner[0] != "power" and not signs & ~3 and signs & 1:
+            if inner[0] != "power" and not signs & ~3 and signs != 2:
                 p, c = p * F(-1), c * (-1) ** abs(k)
             factors.append((p, k))
         return c, factors

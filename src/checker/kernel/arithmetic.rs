@@ -189,7 +189,7 @@ impl Checker {
             // A power is taken apart as it stands.
             let power = poly.single_atom().is_some_and(|a| matches!(self.atoms.get(a), Some(Atom::Power(..))));
             let signs = self.signs_of(&Fraction::of(poly), known)?;
-            let turned = !power && signs.within(Signs::of(Relation::LessEqual)) && !signs.within(Signs::NOT_NEGATIVE);
+            let turned = !power && signs.within(Signs::of(Relation::LessEqual)) && signs != Signs::of(Relation::Equal);
             negative ^= turned && k % 2 != 0;
             let minus = || poly.times(&Poly::constant(BigRational::from_integer((-1).into())), &self.work);
             factors.push((if turned { minus()? } else { poly.clone() }, *k));
