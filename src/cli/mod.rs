@@ -36,7 +36,6 @@ mod table_certificate;
 mod table_check;
 mod table_contents;
 mod table_cross;
-mod table_merge;
 mod table_rows;
 mod table_write;
 mod terminal;

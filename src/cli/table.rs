@@ -7,19 +7,17 @@ use super::table_contents::{Contents, grid, joined};
 use super::table_cross::{self, Axis};
 use super::table_rows::{self, Rows};
 use super::table_write::{End, Stop, write};
-use super::{Exit, form, table_check, table_merge};
+use super::{Exit, form, table_check};
 use crate::number::decimal::{Digits, Rounding};
 use crate::report::table::{Entry, Form, Head, LATEX_ROWS, Writer, entries};
 use crate::table::comparison::Given;
 use crate::table::grid::{Grid, Shape};
-use crate::table::shard::{Axes, Binding, Shard};
 use crate::table::shared::Factors;
 use crate::table::{Plan, Quantity, TableError};
 use clap::ValueEnum;
 use clap::builder::PossibleValue;
 use serde_json::json;
 use std::io::{self, BufWriter, Write};
-use std::ops::Range;
 use std::path::{Path, PathBuf};
 
 /// The arguments.
@@ -36,13 +34,13 @@ pub(super) struct Flags {
     output: Option<PathBuf>,
     /// Print a cross table: the columns are the values of this axis, the rows those of another. A table too wide for a page
     /// is split; a third axis makes one table for each of its values
-    #[arg(long, value_enum, value_name = "AXIS", conflicts_with_all = ["certificate", "resume", "shard", "merge", "check", "extra"])]
+    #[arg(long, value_enum, value_name = "AXIS", conflicts_with_all = ["certificate", "resume", "check", "extra"])]
     across: Option<Axis>,
     /// In a cross table, write rational values as short fractions p/q
     #[arg(long, requires = "across")]
     fractions: bool,
     /// Leave out the column of exact values
-    #[arg(long, conflicts_with_all = ["resume", "shard", "merge", "check", "across"])]
+    #[arg(long, conflicts_with_all = ["resume", "check", "across"])]
     no_exact: bool,
     /// Write the exact enclosure of every cell to a file, one JSON object a line; `carom check FILE` checks it
     #[arg(long, value_name = "FILE", conflicts_with = "check")]
@@ -50,13 +48,6 @@ pub(super) struct Flags {
     /// Continue an interrupted run from FILE.partial
     #[arg(long, requires = "output", conflicts_with = "check")]
     resume: bool,
-    /// Compute only the I-th of N parts of the rows, as CSV, to split a long table across machines; --merge joins the parts
-    #[arg(long, value_name = "I/N", conflicts_with = "check")]
-    shard: Option<String>,
-    /// Join the parts of one table, or of its certificate; exit 2 if a row is missing, duplicated or from another table
-    #[arg(long, value_name = "FILE", num_args = 1.., conflicts_with_all = ["ratio", "e", "n", "want", "digits", "places",
-        "round", "extra", "format", "certificate", "resume", "check", "shard"])]
-    merge: Vec<PathBuf>,
     /// Compare every cell of somebody else's table (CSV, - for standard input) with the certified value; exit 1 if a cell
     /// is wrong. A threshold for n = 0 does not exist: there nothing, or none, is right
     #[arg(long, value_name = "FILE.csv")]
@@ -128,9 +119,6 @@ pub(super) fn exit(error: &TableError) -> Exit {
 
 /// Runs the command.
 pub(super) fn run(flags: &Flags) -> Result<u8, Exit> {
-    if !flags.merge.is_empty() {
-        return table_merge::run(&flags.merge, flags.output());
-    }
     if let Some(path) = &flags.check {
         let given = &flags.contents;
         let of = |flag: &str, values: &[String]| grid(flag, joined(values).as_deref());
@@ -156,54 +144,19 @@ pub(super) fn run(flags: &Flags) -> Result<u8, Exit> {
     if flags.resume && form != Form::Csv {
         return Err(Exit::usage("error: --resume works with CSV only: add --format csv"));
     }
-    let job = Job::new(&plan, flags)?;
-    let mut head = Head::of(&plan);
-    if let Some(binding) = &job.binding {
-        head.facts.extend([(table_merge::TABLE, binding.table.clone()), (table_merge::SHARD, binding.shard.clone())]);
-    }
-    let writer = Writer::new(form, head);
+    let writer = Writer::new(form, Head::of(&plan));
     let writer = if flags.no_exact { writer.without("exact") } else { writer };
     match flags.output() {
-        None => standard(&job, writer, flags.certificate.as_deref()),
-        Some(path) => file(&job, writer, path, flags),
-    }
-}
-
-/// A table, or a part of its rows with what binds it to the table.
-pub(super) struct Job<'a> {
-    pub(super) plan: &'a Plan,
-    pub(super) rows: Range<u64>,
-    binding: Option<Binding>,
-}
-
-impl<'a> Job<'a> {
-    fn new(plan: &'a Plan, flags: &Flags) -> Result<Job<'a>, Exit> {
-        let Some(text) = &flags.shard else { return Ok(Job { plan, rows: 0..plan.rows(), binding: None }) };
-        let shard = Shard::parse(text).map_err(|e| Exit::usage(format!("error: --shard {text}: {e}")))?;
-        if flags.form()? != Form::Csv {
-            return Err(Exit::usage("error: --shard writes CSV only: add --format csv"));
-        }
-        let given = &flags.contents;
-        let (ratio, e, n) = (joined(&given.ratio), joined(&given.e), joined(&given.n));
-        let axes = Axes { ratio: ratio.as_deref().unwrap_or_default(), e: e.as_deref(), n: n.as_deref() };
-        Ok(Job { plan, rows: shard.rows(plan.rows()), binding: Some(Binding::new(plan, axes, shard)) })
-    }
-
-    /// The first line of its certificate.
-    pub(super) fn certificate_head(&self) -> String {
-        let head = certificate_head(self.plan);
-        match &self.binding {
-            None => head,
-            Some(binding) => table_merge::bind(&head, binding),
-        }
+        None => standard(&plan, writer, flags.certificate.as_deref()),
+        Some(path) => file(&plan, writer, path, flags),
     }
 }
 
 /// Writes to standard output; a reader that goes away ends the work.
-fn standard(job: &Job<'_>, writer: Writer, certificate: Option<&Path>) -> Result<u8, Exit> {
+fn standard(plan: &Plan, writer: Writer, certificate: Option<&Path>) -> Result<u8, Exit> {
     let mut out = BufWriter::new(io::stdout().lock());
     let mut certificate = certificate.map(whole).transpose()?;
-    let end = write(job, writer, 0, &mut out, certificate.as_mut().map(|c| c as &mut dyn Write));
+    let end = write(plan, writer, 0, &mut out, certificate.as_mut().map(|c| c as &mut dyn Write));
     match end.and_then(|end| out.flush().map(|()| end).map_err(Stop::Write)) {
         Ok(End::Complete) => certificate.map_or(Ok(()), Target::finish).map(|()| 0),
         Ok(End::Interrupted(rows)) => Err(interrupted(&format!("the table ends after {rows} rows"))),
@@ -219,7 +172,7 @@ fn whole(path: &Path) -> Result<Target, Exit> {
 
 /// The first line of a certificate: what the table says of itself in words, then all that is needed to check that the
 /// rows are those of the table, and all of them (`src/checker/table_checker/text.rs`).
-fn certificate_head(plan: &Plan) -> String {
+pub(super) fn certificate_head(plan: &Plan) -> String {
     let facts: serde_json::Map<String, serde_json::Value> =
         Head::of(plan).facts.into_iter().map(|(name, text)| (name.to_owned(), text.into())).collect();
     let axis = |grid: &Grid| match grid.shape() {
@@ -262,12 +215,12 @@ fn rounding_name(rounding: Rounding) -> &'static str {
 }
 
 /// Writes to a file. At the end it is either complete or unchanged.
-fn file(job: &Job<'_>, writer: Writer, path: &Path, flags: &Flags) -> Result<u8, Exit> {
+fn file(plan: &Plan, writer: Writer, path: &Path, flags: &Flags) -> Result<u8, Exit> {
     let csv = flags.form()? == Form::Csv;
     let grows = |path: &Path| csv && partial::can_grow(path);
     let targets: Vec<(&Path, table_rows::Form, String)> = [
         Some((path, table_rows::Form::Csv, writer.csv_head())),
-        flags.certificate.as_deref().map(|path| (path, table_rows::Form::Certificate, job.certificate_head())),
+        flags.certificate.as_deref().map(|path| (path, table_rows::Form::Certificate, certificate_head(plan))),
     ]
     .into_iter()
     .flatten()
@@ -278,7 +231,7 @@ fn file(job: &Job<'_>, writer: Writer, path: &Path, flags: &Flags) -> Result<u8,
     {
         return Err(Exit::usage(format!("error: {} is not a regular file, so it cannot be resumed", path.display())));
     }
-    let mut from = if flags.resume { job.rows.end - job.rows.start } else { 0 };
+    let mut from = if flags.resume { plan.rows() } else { 0 };
     let mut open = Vec::new();
     for (path, form, head) in &targets {
         if !grows(path) {
@@ -287,9 +240,8 @@ fn file(job: &Job<'_>, writer: Writer, path: &Path, flags: &Flags) -> Result<u8,
         }
         let mut partial = Partial::open(path)?;
         if flags.resume {
-            let rows = Rows::new(job.plan, *form, head);
-            let belongs = |line: u64| job.rows.start.checked_add(line).filter(|row| *row < job.rows.end);
-            let lines = partial.lines(head, |line, text| belongs(line).is_some_and(|row| rows.has(row, text)))?;
+            let rows = Rows::new(plan, *form, head);
+            let lines = partial.lines(head, |row, text| row < plan.rows() && rows.has(row, text))?;
             from = from.min(lines);
         } else {
             partial.refuse_rows()?;
@@ -304,7 +256,7 @@ fn file(job: &Job<'_>, writer: Writer, path: &Path, flags: &Flags) -> Result<u8,
     }
     let mut certificate = if open.len() > 1 { open.pop() } else { None };
     let Some(mut out) = open.pop() else { return Err(Exit::usage("error: give a file: --output FILE")) };
-    let result = write(job, writer, from, &mut out, certificate.as_mut().map(|c| c as &mut dyn Write));
+    let result = write(plan, writer, from, &mut out, certificate.as_mut().map(|c| c as &mut dyn Write));
     match result {
         Ok(End::Complete) => {
             if let Some(certificate) = certificate {
@@ -354,9 +306,8 @@ fn apart(output: &Path, certificate: Option<&Path>) -> Result<(), Exit> {
 /// # Errors
 /// A limit, or Ctrl-C.
 pub(crate) fn in_memory(plan: &Plan) -> Result<(String, String), Exit> {
-    let job = Job { plan, rows: 0..plan.rows(), binding: None };
     let (mut csv, mut certificate) = (Vec::new(), Vec::new());
-    match write(&job, Writer::new(Form::Csv, Head::of(plan)), 0, &mut csv, Some(&mut certificate)) {
+    match write(plan, Writer::new(Form::Csv, Head::of(plan)), 0, &mut csv, Some(&mut certificate)) {
         Ok(End::Complete) => {
             Ok((String::from_utf8_lossy(&csv).into_owned(), String::from_utf8_lossy(&certificate).into_owned()))
         }

@@ -1,7 +1,6 @@
 //! `carom check` for certificates of tables: read line by line, in memory that does not grow with the table.
 
 use super::progress::Progress;
-use super::table_merge::SHARD;
 use super::{Exit, load};
 use crate::certificate::text::FILE_LIMIT;
 use crate::report::visible_lines;
@@ -128,11 +127,6 @@ fn line<'a>(
     }))
 }
 
-/// Whether a head is that of a part, which `carom table --shard` writes.
-fn is_part(head: &[u8]) -> bool {
-    serde_json::from_slice::<serde_json::Value>(head).is_ok_and(|head| head.get(SHARD).is_some())
-}
-
 fn check(path: &Path, opened: Option<Box<dyn Read>>) -> Result<Result<AcceptedTable, Stopped>, Exit> {
     let opened = match opened {
         Some(opened) => opened,
@@ -147,10 +141,6 @@ fn check(path: &Path, opened: Option<Box<dyn Read>>) -> Result<Result<AcceptedTa
     };
     let mut checker = match head {
         Ok(checker) => checker,
-        Err(_) if is_part(&bytes) => {
-            let what = "this is a part of a table: join the parts first, with `carom table --merge`";
-            return stopped("head", Failure::Rejected(what.to_owned()));
-        }
         Err(failure) => return stopped("head", failure),
     };
     let (progress, mut rows) = (Progress::alone("checking"), 0u64);

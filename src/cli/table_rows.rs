@@ -8,22 +8,12 @@ use crate::table::Plan;
 use serde_json::Value;
 
 /// The contents of a file.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy)]
 pub(super) enum Form {
     /// The table itself.
     Csv,
     /// Its certificate, one JSON object a line.
     Certificate,
-}
-
-impl Form {
-    /// In words.
-    pub(super) fn name(self) -> &'static str {
-        match self {
-            Self::Csv => "a table",
-            Self::Certificate => "a certificate",
-        }
-    }
 }
 
 /// The rows of one file.

@@ -6,7 +6,7 @@
 
 use super::interrupt::Interrupt;
 use super::progress::Progress;
-use super::table::Job;
+use super::table::certificate_head;
 use crate::chain::best::Best;
 use crate::number::interval::Interval;
 use crate::report::table::{Entry, Writer, entries};
@@ -80,42 +80,41 @@ impl Out<'_> {
     }
 }
 
-/// Computes and writes a job's rows from one of them on.
+/// Computes and writes a table's rows from one of them on.
 pub(super) fn write<'a>(
-    job: &Job<'_>,
+    plan: &Plan,
     writer: Writer,
     from: u64,
     table: &'a mut dyn Write,
     certificate: Option<&'a mut dyn Write>,
 ) -> Result<End, Stop> {
-    let Job { plan, rows, .. } = job;
+    let rows = plan.rows();
     let mut out = Out { writer, table, certificate };
     if from == 0 {
         out.writer.begin(out.table)?;
         if let Some(certificate) = &mut out.certificate {
-            certificate.write_all(job.certificate_head().as_bytes())?;
+            certificate.write_all(certificate_head(plan).as_bytes())?;
         }
     }
     out.writer.resume(from);
     let interrupt = Interrupt::listen();
-    let progress = Progress::rows(from, rows.end - rows.start);
+    let progress = Progress::rows(from, rows);
     let mut maker = Maker { plan, factors: Factors::new(plan), proofs: out.certificate.is_some() };
     let cores = std::thread::available_parallelism().map_or(1, usize::from);
     let begun = Instant::now();
-    for row in rows.start + from..rows.end {
+    for row in from..rows {
         if cores > 1 && begun.elapsed() > PIECE {
-            let done = row - rows.start;
-            let size = ((done - from) / 2).max(1);
-            let desk = Desk::new(plan, row..rows.end, (rows.start, size), out.certificate.is_some(), cores as u64);
+            let size = ((row - from) / 2).max(1);
+            let desk = Desk::new(plan, row, size, out.certificate.is_some(), cores as u64);
             if let Some(end) = desk.run(&mut out, &progress, interrupt)? {
                 return Ok(end);
             }
             break;
         }
         if interrupt.asked() {
-            return Ok(End::Interrupted(row - rows.start));
+            return Ok(End::Interrupted(row));
         }
-        progress.now(row - rows.start, "");
+        progress.now(row, "");
         out.row(maker.row(row)?)?;
     }
     out.writer.end(out.table)?;
@@ -180,8 +179,6 @@ struct Desk<'a> {
     plan: &'a Plan,
     /// The row at which the next piece begins, and that after the last.
     rows: Range<u64>,
-    /// The first row of the job.
-    first: u64,
     proofs: bool,
     cores: u64,
     next: Mutex<Next>,
@@ -189,10 +186,10 @@ struct Desk<'a> {
 }
 
 impl<'a> Desk<'a> {
-    fn new(plan: &'a Plan, rows: Range<u64>, (first, size): (u64, u64), proofs: bool, cores: u64) -> Desk<'a> {
+    fn new(plan: &'a Plan, row: u64, size: u64, proofs: bool, cores: u64) -> Desk<'a> {
         let size = size.min(PIECE_ROWS);
-        let next = Next { row: rows.start, number: 0, size, written: 0, stop: false, writer: None };
-        Desk { plan, rows, first, proofs, cores, next: Mutex::new(next), free: Condvar::new() }
+        let next = Next { row, number: 0, size, written: 0, stop: false, writer: None };
+        Desk { plan, rows: row..plan.rows(), proofs, cores, next: Mutex::new(next), free: Condvar::new() }
     }
 
     fn next(&self) -> MutexGuard<'_, Next> {
@@ -242,10 +239,10 @@ impl<'a> Desk<'a> {
     ) -> Option<Result<Option<End>, Stop>> {
         *written += piece.rows;
         let cut = piece.cut.take();
-        if let Err(error) = out.piece(piece, *written - self.first) {
+        if let Err(error) = out.piece(piece, *written) {
             return Some(Err(error.into()));
         }
-        progress.now(*written - self.first, "");
+        progress.now(*written, "");
         let mut next = self.next();
         next.written += 1;
         if next.writer.is_none() {
@@ -254,7 +251,7 @@ impl<'a> Desk<'a> {
         drop(next);
         self.free.notify_all();
         match cut? {
-            Cut::Interrupted => Some(Ok(Some(End::Interrupted(*written - self.first)))),
+            Cut::Interrupted => Some(Ok(Some(End::Interrupted(*written)))),
             Cut::Failed(error) => Some(Err(error.into())),
         }
     }
@@ -316,7 +313,7 @@ impl<'a> Desk<'a> {
     ) -> Piece {
         let mut piece = Piece { number, text: Vec::new(), held: Vec::new(), proofs: String::new(), rows: 0, cut: None };
         let mut writer = writer.map(|mut writer| {
-            writer.resume(rows.start - self.first);
+            writer.resume(rows.start);
             writer
         });
         for row in rows {

@@ -233,16 +233,3 @@ fn limits_are_told_from_faults() {
         assert_eq!(output.status.code(), Some(3), "{command}: {}", err(&output));
     }
 }
-
-#[test]
-fn a_part_of_a_tables_certificate_is_to_be_merged_first() {
-    let folder = tempfile::tempdir().unwrap();
-    let (table, part) = (folder.path().join("part.csv"), folder.path().join("part.jsonl"));
-    let grid = ["table", "--ratio", "2;3", "-e", "1", "-n", "1", "--format", "csv", "--shard", "1/2"];
-    let output = carom(&[&grid[..], &["--output", text(&table), "--certificate", text(&part)]].concat());
-    assert_eq!(output.status.code(), Some(0), "{}", err(&output));
-    let output = carom(&["check", text(&part)]);
-    assert_eq!(output.status.code(), Some(1));
-    let printed = out(&output);
-    assert!(printed.contains("a part of a table") && printed.contains("carom table --merge"), "{printed}");
-}

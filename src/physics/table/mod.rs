@@ -15,7 +15,6 @@ pub mod grid;
 pub mod later;
 mod measured;
 mod records;
-pub mod shard;
 pub mod shared;
 pub mod worksheet;
 

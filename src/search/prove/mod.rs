@@ -122,7 +122,7 @@ use crate::claim::syntax::{Claim, Expr, PI, Proof, Prop, PropKind, Relation, is_
 use crate::kernel::fraction::Watch;
 use crate::kernel::statement::prop;
 use crate::kernel::substitution::Substitution;
-use crate::kernel::{Accepted, Checker, Refusal};
+use crate::kernel::{Accepted, Checker, Mark, Refusal};
 use crate::refute::catalogue::Limits;
 use crate::refute::expand;
 use crate::refute::outcome::Remaining;
@@ -232,6 +232,25 @@ pub(crate) fn by_search(claim: &Claim, cited: &[&Accepted], limits: &Limits) -> 
         }
         other => other,
     }
+}
+
+/// What the facts in force have told: see the fields of [`Prover`] of the same names.
+struct Told {
+    equations: Vec<Label>,
+    naturals: Vec<String>,
+    enriched: BTreeSet<String>,
+    roots: usize,
+    powers: Rc<powers::Powers>,
+}
+
+/// Where the search stood before an attempt.
+struct State {
+    told: Told,
+    mark: Mark,
+    steps: usize,
+    found_by: usize,
+    splits: usize,
+    inductions: usize,
 }
 
 /// The state of the search.
@@ -563,25 +582,53 @@ impl Prover {
         !self.equations.is_empty() && self.is_zero(&facts::minus(a, b))
     }
 
+    /// What the facts in force have told so far.
+    fn told(&self) -> Told {
+        Told {
+            equations: self.equations.clone(),
+            naturals: self.naturals.clone(),
+            enriched: self.enriched.clone(),
+            roots: self.roots.len(),
+            powers: self.powers.clone(),
+        }
+    }
+
+    /// Forgets what was told after this.
+    fn forget(&mut self, told: Told) {
+        self.equations = told.equations;
+        self.naturals = told.naturals;
+        self.enriched = told.enriched;
+        self.roots.truncate(told.roots);
+        self.powers = told.powers;
+    }
+
     /// Runs a part of the search; if it fails, restores the state before it.
     fn attempt<T>(&mut self, run: impl FnOnce(&mut Self) -> Result<T, Fail>) -> Result<T, Fail> {
-        let mark = self.checker.mark();
-        let (steps, equations, naturals) = (self.steps.len(), self.equations.clone(), self.naturals.clone());
-        let (splits, inductions, enriched) = (self.splits, self.inductions, self.enriched.clone());
-        let (roots, powers, found_by) = (self.roots.len(), self.powers.clone(), self.found_by.len());
+        let state = self.state();
         let result = run(self);
         if result.is_err() {
-            self.found_by.truncate(found_by);
-            self.checker.back_to(&mark);
-            self.steps.truncate(steps);
-            self.equations = equations;
-            self.naturals = naturals;
-            self.enriched = enriched;
-            self.roots.truncate(roots);
-            self.powers = powers;
-            (self.splits, self.inductions) = (splits, inductions);
+            self.back_to(state);
         }
         result
+    }
+
+    fn state(&self) -> State {
+        State {
+            told: self.told(),
+            mark: self.checker.mark(),
+            steps: self.steps.len(),
+            found_by: self.found_by.len(),
+            splits: self.splits,
+            inductions: self.inductions,
+        }
+    }
+
+    fn back_to(&mut self, state: State) {
+        self.forget(state.told);
+        self.checker.back_to(&state.mark);
+        self.steps.truncate(state.steps);
+        self.found_by.truncate(state.found_by);
+        (self.splits, self.inductions) = (state.splits, state.inductions);
     }
 
     /// Proves an implication or a `for all` statement in a block.
@@ -589,8 +636,17 @@ impl Prover {
         if let Some(label) = self.known(goal) {
             return Ok(label);
         }
-        let (equations, naturals) = (self.equations.clone(), self.naturals.clone());
-        let (enriched, roots, powers) = (self.enriched.clone(), self.roots.len(), self.powers.clone());
+        let told = self.told();
+        let (block, failed) = self.open_block(goal)?;
+        let conclusion = run(self, &block);
+        self.failed = failed;
+        self.close_block(conclusion?)?;
+        self.forget(told);
+        Ok(block)
+    }
+
+    /// Opens a block for a goal and takes in what it supposes; its label, and what had failed outside.
+    fn open_block(&mut self, goal: &Prop) -> Result<(Label, BTreeSet<String>), Fail> {
         let rule = if matches!(goal.kind, PropKind::ForAll(..)) { Rule::Let } else { Rule::Suppose };
         let block = self.emit(rule, goal.clone())?;
         let failed = std::mem::take(&mut self.failed);
@@ -610,18 +666,15 @@ impl Prover {
         for (label, fact) in &new {
             self.take_in(label, fact)?;
         }
-        let conclusion = run(self, &block);
-        self.failed = failed;
-        let conclusion = conclusion?;
+        Ok((block, failed))
+    }
+
+    /// Ends the innermost block with its conclusion.
+    fn close_block(&mut self, conclusion: Label) -> Result<(), Fail> {
         let end = Step::End(conclusion);
         self.checker.step(&end).map_err(Fail::from)?;
         self.steps.push(end);
-        self.equations = equations;
-        self.naturals = naturals;
-        self.enriched = enriched;
-        self.roots.truncate(roots);
-        self.powers = powers;
-        Ok(block)
+        Ok(())
     }
 
     /// The label of the fact with the same text, if there is one.
