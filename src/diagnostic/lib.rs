@@ -60,6 +60,8 @@ pub enum Fault {
         nearest: Option<String>,
         /// Whether it is applied to arguments, as in `f(x)`.
         applied: bool,
+        /// Whether it is declared further on.
+        later: bool,
     },
     /// A name declared twice.
     Twice(String),
@@ -100,6 +102,7 @@ impl Diagnostic {
             Fault::Stray(c) => format!("the character {c:?} is not part of the language"),
             Fault::OpenText => "this text has no closing quotation mark".to_string(),
             Fault::Limit { name, allowed } => format!("limit reached: at most {allowed} {name}"),
+            Fault::Undeclared { name, later: true, .. } => format!("the name {name} stands before its declaration"),
             Fault::Undeclared { name, .. } => format!("nothing declares the name {name}"),
             Fault::Twice(name) => format!("the name {name} is declared twice"),
             Fault::Pi => "pi is the number π, which nothing else may be called here".to_string(),
@@ -124,7 +127,10 @@ impl Diagnostic {
                 let of = name.trim_end_matches('\'');
                 Some(format!("for a derivative write derivative({of}(x), x)"))
             }
-            Fault::Undeclared { name, nearest, applied } => Some(match (foreign(name), nearest) {
+            Fault::Undeclared { name, later: true, .. } => {
+                Some(format!("declare {name} first, as b in `given b > 0; a > b`, or write a chain: `given a > b > 0`"))
+            }
+            Fault::Undeclared { name, nearest, applied, .. } => Some(match (foreign(name), nearest) {
                 (Some(instead), _) => instead.to_string(),
                 (None, Some(nearest)) => format!("did you mean {nearest}?"),
                 (None, None) if *applied => {

@@ -368,15 +368,8 @@ impl<'t> Reader<'t, '_, '_> {
         if end != equals {
             return Err(refused(format!("the index of this {word} is not read"), range, start));
         }
-        if above.iter().any(|t| t.is("infty")) {
-            let help = format!(
-                "write its limit as a statement: \\lim_{{N \\to \\infty}} \\{}_{{i=1}}^{{N}} … = …",
-                if word == "sum" { "sum" } else { "prod" }
-            );
-            return Err(refused(format!("this {word} is infinite"), help, start));
-        }
         let outer = std::mem::replace(&mut self.scope.counts, true);
-        let ends = self.sum_in(&below[equals + 1..]).and_then(|from| Ok((from, self.sum_in(above)?)));
+        let ends = self.sum_in(&below[equals + 1..]).and_then(|from| Ok((from, self.upper_end(above)?)));
         self.scope.counts = outer;
         let (from, to) = ends?;
         let name = self.scope.bind(&index)?;

@@ -18,11 +18,11 @@ impl Reader<'_, '_, '_> {
             let help = "write its ends, \\int_a^b, or state the antiderivative: \\frac{dF}{dx} = f";
             return Err(refused("this integral has no ends", help, start));
         };
-        if below.iter().chain(above).any(|t| t.is("infty")) {
-            let help = "write its limit as a statement: \\lim_{N \\to \\infty} \\int_{0}^{N} … \\, dx = …";
-            return Err(refused("this integral is improper", help, start));
+        if below.iter().any(|t| t.is("infty")) {
+            let help = "write its halves, each as a statement of its own: \\int_{0}^{\\infty} … \\, dx = …";
+            return Err(refused("this integral begins at infinity", help, start));
         }
-        let (from, to) = (self.sum_in(below)?, self.sum_in(above)?);
+        let (from, to) = (self.sum_in(below)?, self.upper_end(above)?);
         let end = own_differential(&self.tokens[self.at..]).map(|place| self.at + place);
         if end.is_none()
             && let Some((tokens, next)) = in_numerator(&self.tokens[self.at..])
@@ -40,6 +40,14 @@ impl Reader<'_, '_, '_> {
             return Ok(whole);
         }
         self.between((from, to), start)
+    }
+
+    /// The last value of an index or variable: a number, or infinity in an equation that says a limit.
+    pub(crate) fn upper_end(&mut self, tokens: &[Token]) -> Read<Piece> {
+        match tokens {
+            [sign] if sign.is("infty") => Ok(Piece::atom("infinity", sign.span)),
+            _ => self.sum_in(tokens),
+        }
     }
 
     /// Whether a token stands in what is left of the product here.

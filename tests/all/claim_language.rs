@@ -134,6 +134,18 @@ fn faults_are_said_where_they_are() {
             &with("prove z = y"),
             "3:7 nothing declares the name z (declare it, for instance `given z > 0` or `given z real`)",
         ),
+        (
+            &with("prove sum(k = 1..infinity, 1/k^2) < 2"),
+            "3:18 this goes on to infinity (write it alone on one side of an equation, `sum(k = 0..infinity, f) = L`, or its limit: `limit of sum(k = 0..n, f) as n natural -> infinity is L`)",
+        ),
+        (
+            &with("prove sum(k = 1..infinity, 0) = sum(k = 1..infinity, 0)"),
+            "3:18 this goes on to infinity (write it alone on one side of an equation, `sum(k = 0..infinity, f) = L`, or its limit: `limit of sum(k = 0..n, f) as n natural -> infinity is L`)",
+        ),
+        (
+            &with("given z > w, w > 0\nprove z > 0"),
+            "3:11 the name w stands before its declaration (declare w first, as b in `given b > 0; a > b`, or write a chain: `given a > b > 0`)",
+        ),
         (&with("let speed = x\nprove sped = y"), "4:7 nothing declares the name sped (did you mean speed?)"),
         (&with("let a = x"), "1:7 claim c has no `prove` clause (add a line such as: prove a = b)"),
         (
@@ -543,7 +555,7 @@ fn what_is_no_abbreviation_is_refused_with_what_to_write() {
         ("integral(x) = y", "`=` and a range such as 1..n"),
         ("integrate(x^2, x) = y", "write integral(x = a..b, f)"),
         ("integral(x = 0..1, x) = y", "the name x is declared twice"),
-        ("integral(t = 0..infinity, t) = y", "write its limit"),
+        ("1 + integral(t = 0..infinity, t) = y", "write it alone on one side of an equation"),
         ("integral(t = 0..1, floor(t)) = y", "this floor depends on the bound variable t"),
         ("x = y + O(x)", "an order ends an equation and says where the variable goes"),
         ("sin(t) + O(t^2) = t as t -> 0", "O(…) is the last summand on the right of one equation"),

@@ -6,7 +6,7 @@ label, proposition, value), ("by", the facts and claims that it cites, what else
 ("value", name, expression).
 """
 from .claims import (
-    BEGINNINGS, BINDERS, compare, constraints, FUNCTIONS, N, need, Node, nodes, num, Parser, PI, plus, RELATIONS, RESERVED,
+    BEGINNINGS, BINDERS, compare, constraints, FUNCTIONS, N, need, Node, nodes, num, Parser, PI, plus, RELATIONS, RESERVED, subtrees,
 )
 
 ABBREVIATIONS = {"abs": (1, 1), "max": (2, 8), "min": (2, 8), "factorial": (1, 1), "binomial": (2, 2), "trace": (1, 1),
@@ -54,6 +54,38 @@ class Author(Parser):
             self.want("|")
             return N("call", "abs", (e,))
         return super().atom()
+
+    def last(self):
+        return N("name", "infinity") if self.take("infinity") else self.expr()
+
+    def negation(self):
+        p = super().negation()
+        return self.without_end(p) if p[0] == "cmp" else p
+
+    def without_end(self, p):
+        """`S = L` or `L = S` for S up to infinity: S up to a new variable tends to L."""
+        infinite = [S for S in subtrees(p) if S[0] in ("over", "integral") and S[-2] == N("name", "infinity")]
+        if not infinite:
+            return p
+        need(len(infinite) == 1 and p[2] == ("=",) and infinite[0] in p[1], "a sum without an end stands alone on one side of an equation")
+        S = infinite[0]
+        value = p[1][1] if p[1][0] == S else p[1][0]
+        domain = "real" if S[0] == "integral" else "natural"
+        v = self.unused("X" if domain == "real" else "N")
+        if all(other != v for other, _ in self.moving):
+            self.moving.append((v, domain))
+        end, low = N("name", v), S[3]
+        if domain == "natural" and low not in (N("num", "0"), N("num", "1")):
+            end = plus(end, low)
+        return N("limit", N(*S[:-2], end, S[-1]), v, value)
+
+    def unused(self, letter):
+        """The letter, or the first of the letter with 1, 2, … that is no word of this claim."""
+        begins = [i for i, (kind, text, first) in enumerate(self.tokens) if kind == "word" and text == "claim" and first]
+        start = max((i for i in begins if i < self.at_token), default=0)
+        end = min((i for i in begins if i > start), default=len(self.tokens))
+        words = {text for kind, text, _ in self.tokens[start:end] if kind == "word"} | self.declared
+        return next(n for k in range(len(words) + 2) if (n := letter + (str(k) if k else "")) not in words)
 
     def extremum(self, word):
         """`maximum of F over x in D is M` says that M is a bound of F over D, and a value of F there."""

@@ -391,7 +391,9 @@ class Parser:
             need(len(set(map(len, rows))) == 1, "the rows of a matrix differ in length")
             return N("matrix", tuple(map(tuple, rows)))
         if word := self.take("sum", "product", "integral"):
-            _, v, _, low, _, high, _, body, _ = self.read("( N = E .. E , E )")
+            _, v, _, low, _ = self.read("( N = E ..")
+            high = self.last()
+            _, body, _ = self.read(", E )")
             return N("integral" if word == "integral" else "over", word, v, low, high, body)
         if self.take("derivative"):
             _, body, _, first = self.read("( E , N")
@@ -404,6 +406,10 @@ class Parser:
         arguments = [e for _, e in self.many(self.expr, ",")]
         self.want(")")
         return N("call", name, tuple(arguments))
+
+    def last(self):
+        """The last value of an index."""
+        return self.expr()
 
     # Propositions.
     def prop(self):

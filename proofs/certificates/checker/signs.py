@@ -456,7 +456,11 @@ class Values(Intervals, Terms):
     def smooth(self, e, by, known):
         """Whether what has a value can be differentiated: what is needed holds nearby as well."""
         if e[0] == "over":
-            need(not {self.scope[x] for x in by} & self.free_in(self.read(e)), "a derivative of a sum over an index")
+            need(e[2] not in by, "a derivative by an index")
+            if {self.scope[x] for x in by} & self.free_in(self.read(e)):
+                need(e[1] == "sum", "a derivative of a product over an index")
+                known = known.copy()
+                self.at_index(e[2], self.read(e[3]), self.read(e[4]), known, lambda: self.smooth(e[5], by, known))
             return
         if e[0] == "integral":
             # Only its ends move. All around them, and between them, the body keeps its value and its own derivatives.

@@ -71,6 +71,14 @@ class F:
         c, poly = self.expanded()
         return [(c * d, m) for m, d in sorted(poly.items())] if c else []
 
+    def summands(self):
+        """The terms, each over the divisors, where these are atoms; else itself."""
+        top, bottom = self.parts()
+        if any(the_atom(p) is None for p in bottom.factors):
+            return [self]
+        over = bottom.power(-1)
+        return [monomial(m) * F(c) * over for c, m in top.terms()]
+
     def parts(self):
         top = F(self.c, {p: k for p, k in self.factors.items() if k > 0})
         return top, F(1, {p: -k for p, k in self.factors.items() if k < 0})
@@ -86,7 +94,7 @@ class F:
 
 
 ONE, ZERO = F(1), F(0)
-NO_DERIVATIVE = "a derivative of a member of a family or sequence, of a sum over an index, or of what stands in an integral"
+NO_DERIVATIVE = "a derivative of a member of a family or sequence, of a product over an index, or of what stands in an integral"
 # What a sum or product over an index, and an integral, binds in its body. While the body is read it is open: its number is minus
 # that of these around it. In an atom it is closed: its number is 1 more than all that are bound in the body.
 BOUND = {"over": "index", "integral": "place"}
@@ -118,6 +126,11 @@ def the_atom(p):
 
 def atom(a):
     return F(1, {((((a, 1),), 1),): 1})
+
+
+def numerator(c):
+    """That of the number of an exponent; only its sign where it is above 100."""
+    return c.numerator if abs(c.numerator) <= 100 else 1 if c > 0 else -1
 
 
 def monomial(m):
@@ -428,18 +441,17 @@ class Terms:
     def power(self, b, e):
         if e.integer is not None:
             return b.power(e.integer)
-        terms = e.terms()
-        if b.integer == 1 or terms is None:
-            return ONE if b.integer == 1 else self.real_power(b, e)
+        if b.integer == 1:
+            return ONE
         if self.is_whole(e):
+            terms = e.terms()
             if b.integer == -1:
                 return self.sign_power(terms)
             if all(c > 0 for c, _ in terms):
                 return self.natural_power(b, e, terms)
             return self.power(b, -e).power(-1) if all(c < 0 for c, _ in terms) else self.atom("power", b, e)
         out = ONE
-        for c, m in terms:
-            part = monomial(m) * F(c)
+        for part in e.summands():
             out *= self.power(b, part) if self.is_whole(part) else self.real_power(b, part)
         return out
 
@@ -451,7 +463,7 @@ class Terms:
             return self.power(inner[1], inner[2] * e * F(k))
         if inner[0] == "exp":
             return self.exponential(inner[1] * e * F(k))
-        top = e.c.numerator
+        top = numerator(e.c)
         return self.atom("power", b, e * F(Q(1, top))).power(top)
 
     def sign_power(self, terms):
@@ -491,14 +503,14 @@ class Terms:
 
     def exponential(self, x):
         """exp(E + F) = exp E * exp F, exp(E*ln x) = x^E."""
-        out, terms = ONE, x.terms()
-        for part in [x] if terms is None else [monomial(m) * F(c) for c, m in terms]:
+        out = ONE
+        for part in x.summands():
             logs = [p for p, k in part.factors.items() if k == 1 and self.kind(p, "ln")]
             if len(logs) == 1:
                 rest = F(part.c, {p: k for p, k in part.factors.items() if p != logs[0]})
                 out *= self.power(self.kind(logs[0], "ln")[1], rest)
             else:
-                top = part.c.numerator
+                top = numerator(part.c)
                 out *= self.atom("exp", part * F(Q(1, top))).power(top)
         return out
 
@@ -513,8 +525,8 @@ class Terms:
 
     def point(self, u):
         """The cosine and the sine of u, by those of its terms."""
-        out, terms = (ONE, ZERO), u.terms()
-        for part in [u] if terms is None else [monomial(m) * F(c) for c, m in terms]:
+        out = ONE, ZERO
+        for part in u.summands():
             out = turned(out, self.point_of_term(part))
         return out
 
@@ -628,6 +640,12 @@ class Terms:
             return ONE
         if kind == "integral":
             return self.integral_derivative(a, x)
+        if kind == "over":
+            word, bound, low, high, body = inner
+            need(word == "sum", NO_DERIVATIVE)
+            # The ends are whole numbers: they do not move.
+            inside = lambda own: self.derivative(self.renamed(kind, body, bound, own), x)
+            return self.opened(lambda own: self.over(word, own, low, high, inside(own)))
         need(kind in ("ln", "exp", "power", "cos", "sin", *ARCS), NO_DERIVATIVE)
         slope = self.derivative(inner[0], x)
         if kind == "ln":

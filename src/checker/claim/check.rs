@@ -54,6 +54,12 @@ fn names(claim: &Claim, faults: &mut Vec<Diagnostic>) {
     names.prop(&claim.goal);
     names.proof(&claim.proof);
     names.sample(claim);
+    let declared = std::mem::take(&mut names.roles);
+    for fault in faults.iter_mut() {
+        if let Fault::Undeclared { name, later, .. } = &mut fault.fault {
+            *later = declared.contains_key(name);
+        }
+    }
     let mut seen = BTreeSet::new();
     for cited in &claim.using {
         if !seen.insert(&cited.text) {
@@ -253,7 +259,8 @@ impl Names<'_> {
                 // Another variable is no typing error of a letter.
                 known.retain(|near| name.len() > 1 || near.len() > 1);
                 let nearest = nearest(name, known);
-                let fault = Fault::Undeclared { name: name.to_string(), nearest, applied: role != Role::Value };
+                let fault =
+                    Fault::Undeclared { name: name.to_string(), nearest, applied: role != Role::Value, later: false };
                 self.faults.push(Diagnostic::new(fault, span));
             }
             Some(declared) if *declared == role => {}

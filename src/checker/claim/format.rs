@@ -115,8 +115,10 @@ fn spaced(code: &str) -> String {
 }
 
 fn ends_operand(kind: &Kind) -> bool {
-    const WORDS: &[&str] =
-        &["by", "is", "at", "over", "of", "and", "or", "not", "prove", "in", "to", "weight", "between", "with"];
+    const WORDS: &[&str] = &[
+        "by", "is", "at", "over", "of", "and", "or", "not", "given", "assume", "prove", "in", "to", "weight",
+        "between", "with",
+    ];
     match kind {
         Kind::Word(w) => !WORDS.contains(&w.as_str()),
         Kind::Number(_) | Kind::Raised(_) | Kind::Text(_) => true,

@@ -1,7 +1,7 @@
 //! Derivatives of fractions, by the rules for sums, products, powers, logarithms, cosines, sines and arcs.
 
 use super::fraction::Fraction;
-use super::term::Atom;
+use super::term::{Atom, Over};
 use super::{Checker, Reason, Refusal, rejected};
 use std::collections::BTreeSet;
 
@@ -65,6 +65,12 @@ impl Checker {
                 let slope = self.arc_derivative(x, matches!(arc, Atom::Arcsine(_)))?;
                 Ok(self.derivative(x, by, depth)?.times(&slope, &self.work)?)
             }
+            // Of a sum term by term: its ends are whole numbers, which do not move.
+            Some(Atom::Over(over)) if over.sum => self.opened(|checker, own| {
+                let body = checker.renamed(&over.body, Atom::Bound(over.own), Atom::Bound(own))?;
+                let body = checker.derivative(&body, by, depth)?;
+                checker.over_of(&Over { own, body, ..over })
+            }),
             Some(Atom::Integral(integral)) => self.integral_derivative(&integral, variable, by, depth),
             Some(Atom::Power(base, exponent)) if self.is_free_of(&exponent, variable)? => {
                 // (b^E)′ = E·b′/b·b^E.

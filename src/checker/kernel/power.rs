@@ -85,11 +85,8 @@ impl Checker {
         if let (Some(-1), Some(k)) = (base.as_integer(), exponent.as_number().filter(|k| k.is_integer())) {
             return Ok(Fraction::integer(if k.numer().bit(0) { -1 } else { 1 }));
         }
-        let Some(poly) = self.polynomial(exponent)? else {
-            return self.real_power(base, exponent);
-        };
-        let natural = |checker: &Checker, m: &Monomial| m.iter().all(|(atom, _)| checker.is_natural_atom(*atom));
-        if poly.terms().all(|(m, c)| c.is_integer() && natural(self, m)) {
+        if self.is_whole(exponent)? {
+            let poly = exponent.expanded(&self.work)?;
             return if base.as_integer() == Some(-1) {
                 self.sign_power(&poly)
             } else if poly.terms().all(|(_, c)| c.is_positive()) {
@@ -102,10 +99,8 @@ impl Checker {
             };
         }
         let mut out = Fraction::integer(1);
-        for (monomial, c) in poly.terms() {
-            let part = self.monomial(monomial)?.times(&Fraction::number(c.clone()), &self.work)?;
-            let whole = c.is_integer() && natural(self, monomial);
-            let factor = if whole { self.power(base, &part)? } else { self.real_power(base, &part)? };
+        for part in self.summands(exponent)? {
+            let factor = if self.is_whole(&part)? { self.power(base, &part)? } else { self.real_power(base, &part)? };
             out.multiply(&factor, &self.work)?;
         }
         Ok(out)
@@ -213,13 +208,21 @@ impl Checker {
         Ok(out)
     }
 
-    /// The terms of a polynomial; itself where it has a divisor.
+    /// The terms of a fraction whose divisors are atoms: those of what they divide, each over them. Itself where it has another
+    /// divisor.
     pub(super) fn summands(&self, f: &Fraction) -> Result<Vec<Fraction>, Refusal> {
-        let Some(poly) = self.polynomial(f)? else { return Ok(vec![f.clone()]) };
+        let (mut above, mut below) = (f.clone(), Fraction::integer(1));
+        above.factors.retain(|_, k| *k > 0);
+        for (poly, k) in f.factors.iter().filter(|(_, k)| **k < 0) {
+            if poly.single_atom().is_none() {
+                return Ok(vec![f.clone()]);
+            }
+            below.multiply(&Fraction::of(poly).power(*k)?, &self.work)?;
+        }
         let term = |(monomial, c): (&Monomial, &BigRational)| {
-            self.monomial(monomial)?.times(&Fraction::number(c.clone()), &self.work)
+            self.monomial(monomial)?.times(&Fraction::number(c.clone()), &self.work)?.times(&below, &self.work)
         };
-        poly.terms().map(term).collect()
+        above.expanded(&self.work)?.terms().map(term).collect()
     }
 
     /// exp of a fraction: exp(E + F) = exp E·exp F, exp(p·F/q) = exp(F/q)^p,
@@ -272,14 +275,16 @@ impl Checker {
     }
 }
 
-/// p and F/q of p·F/q, p and q positive or negative whole numbers without common divisor; p = 1 where it is too long.
+/// The greatest numerator of an exponent that becomes a power: what is multiplied out has exponents below [`EXPONENT_LIMIT`](super::fraction::EXPONENT_LIMIT).
+const NUMERATOR_LIMIT: u64 = 100;
+
+/// p and F/q of p·F/q, p and q positive or negative whole numbers without common divisor; p is 1 or −1 where it is above
+/// [`NUMERATOR_LIMIT`].
 pub(super) fn numerator_apart(f: &Fraction) -> (i64, Fraction) {
-    match i64::try_from(f.coefficient.numer()) {
-        Ok(top) if top != 0 => {
-            let mut rest = f.clone();
-            rest.coefficient /= BigRational::from_integer(BigInt::from(top));
-            (top, rest)
-        }
-        _ => (1, f.clone()),
-    }
+    let top = f.coefficient.numer();
+    let short = i64::try_from(top).ok().filter(|top| (1..=NUMERATOR_LIMIT).contains(&top.unsigned_abs()));
+    let top = short.unwrap_or(if top.is_negative() { -1 } else { 1 });
+    let mut rest = f.clone();
+    rest.coefficient /= BigRational::from_integer(BigInt::from(top));
+    (top, rest)
 }

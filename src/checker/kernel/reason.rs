@@ -243,7 +243,9 @@ impl std::fmt::Display for Reason {
             Reason::Arguments(name) => return write!(f, "{name} has one argument"),
             Reason::NotWhole => "an index or exponent that is not a whole number by its form",
             Reason::NotAReal(name) => return write!(f, "{name} is no real variable"),
-            Reason::DerivativeOfMember => "a derivative of a member of a family or sequence, or of a sum over an index",
+            Reason::DerivativeOfMember => {
+                "a derivative of a member of a family or sequence, or of a product over an index"
+            }
             Reason::Numeral(text) => return write!(f, "the numeral {text} cannot be read"),
             Reason::NotAnArc => "this is no comparison of two arcs, and no equation for an arc",
             Reason::NoIdentity => "the two sides of the identity differ",

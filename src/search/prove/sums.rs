@@ -60,7 +60,8 @@ impl Prover {
     /// What a sum comes to, and the fact that it does so for every value of the variable that it ends at.
     fn in_closed_form(&mut self, s: &Expr, variable: &str) -> Result<(Expr, Label), Fail> {
         let ExprKind::SumOver(index, body) = &s.kind else { return Err(Fail::No("a sum")) };
-        if matches!(index.to.kind, ExprKind::Name(_)) && !holds(body, variable) {
+        let is_early = natural(&index.from).is_some_and(|from| from <= 1);
+        if is_early && matches!(index.to.kind, ExprKind::Name(_)) && !holds(body, variable) {
             let value = self.closed_sum(s, variable).ok_or(Fail::No("a closed form"))?;
             let fact = self.is_closed_form(s, &value, variable)?;
             return Ok((value, fact));
@@ -68,7 +69,8 @@ impl Prover {
         self.with_another_end(index, body, variable)
     }
 
-    /// The same for a sum that holds the variable besides as its end: first to any end, while the variable stands for a constant.
+    /// The same for a sum that holds the variable besides as its end, or begins later: first to any end, while the variable stands for
+    /// a constant.
     fn with_another_end(&mut self, index: &Index, body: &Expr, variable: &str) -> Result<(Expr, Label), Fail> {
         let (end, k) = (self.fresh("m"), self.fresh("k"));
         let to_end = Index { to: Box::new(name(&end)), ..index.clone() };
@@ -84,11 +86,18 @@ impl Prover {
         // A divisor may need the variable to be other than 0. The kernel takes it out of a sum from a to m + a, and of none that may be
         // empty.
         let has_divisor = divides(body, variable);
-        let first = if has_divisor { natural(&index.from).unwrap_or(0) } else { 0 };
-        let later = sum(vec![(Sign::Plus, name(&end)), (Sign::Plus, numeral(first))]);
+        let (first, least) = match natural(&index.from) {
+            Some(from) => {
+                let first = if has_divisor { from } else { from.saturating_sub(1) };
+                (numeral(first), (first > 0).then(|| numeral(first)))
+            }
+            None => ((*index.from).clone(), Some((*index.from).clone())),
+        };
+        let least = least.filter(|_| has_divisor || matches!(index.to.kind, ExprKind::Name(_)));
+        let later = sum(vec![(Sign::Plus, name(&end)), (Sign::Plus, first.clone())]);
         let (other, value) = (put(&other, &end, &later)?, put(&value, &end, &later)?);
-        let own_end = super::facts::minus(&own_end, &numeral(first));
-        let bound = has_divisor.then(|| Constraint::Relation(Relation::GreaterEqual, numeral(1)));
+        let own_end = super::facts::minus(&own_end, &first);
+        let bound = least.map(|least| Constraint::Relation(Relation::GreaterEqual, least));
         let binding = Binding::of(Name::new(&k), true, bound.into_iter().collect());
         let every = prop(PropKind::ForAll(vec![binding], Box::new(goal.clone())));
         let splits = std::mem::replace(&mut self.splits, 9);
@@ -115,10 +124,13 @@ impl Prover {
         shown
     }
 
-    /// What a sum from 0 or 1 to a variable n comes to, as a whole or term by term.
+    /// What a sum to a variable n comes to, as a whole or term by term.
     pub(super) fn closed_sum(&mut self, s: &Expr, variable: &str) -> Option<Expr> {
         let ExprKind::SumOver(index, body) = &s.kind else { return None };
-        let from = natural(&index.from).filter(|from| *from <= 1)?;
+        let from = &*index.from;
+        if holds(from, variable) {
+            return None;
+        }
         if let Some(value) = self.telescoped(&index.name.text, body, from, variable) {
             return Some(value);
         }
@@ -127,8 +139,8 @@ impl Prover {
         parts.collect::<Option<Vec<_>>>().map(total)
     }
 
-    /// Σ t(i) for i = from … n, as T(n + 1) − T(1) for an antidifference T of t, and t(0) where it begins there.
-    fn telescoped(&mut self, index: &str, body: &Expr, from: u32, variable: &str) -> Option<Expr> {
+    /// Σ t(i) for i = from … n, as T(n + 1) − T(from) for an antidifference T of t; where it begins at 0, from 1 on, and t(0).
+    fn telescoped(&mut self, index: &str, body: &Expr, from: &Expr, variable: &str) -> Option<Expr> {
         let i = self.letters.of(&name(index));
         let (plain, rest) = self.parted(body, index)?;
         let (above, below) = self.ratio(body, index)?;
@@ -150,8 +162,10 @@ impl Prover {
             map.expr(e).ok()
         };
         let after = sum(vec![(Sign::Plus, name(variable)), (Sign::Plus, numeral(1))]);
-        let mut parts = vec![(Sign::Plus, at(&whole, &after)?), (Sign::Minus, at(&whole, &numeral(1))?)];
-        if from == 0 {
+        let begins_at_0 = natural(from) == Some(0);
+        let first = if begins_at_0 { numeral(1) } else { from.clone() };
+        let mut parts = vec![(Sign::Plus, at(&whole, &after)?), (Sign::Minus, at(&whole, &first)?)];
+        if begins_at_0 {
             parts.push((Sign::Plus, at(body, &numeral(0))?));
         }
         Some(sum(parts))

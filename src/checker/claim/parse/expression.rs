@@ -166,13 +166,11 @@ impl Parser {
                 }
                 let from = Box::new(self.expr()?);
                 self.need_sign("..", "between the first and the last value")?;
-                if self.is_word("infinity") {
-                    let help =
-                        format!("write its limit: `limit of {word}({} = a..N, …) as N -> infinity is …`", name.text);
-                    let span = self.span();
-                    return Err(self.other(&format!("this {word} has no end"), Some(&help), span));
-                }
-                let to = Box::new(self.expr()?);
+                let end = self.span();
+                let to = match self.word(INFINITY) {
+                    true => Box::new(Expr { kind: ExprKind::Name(INFINITY.to_string()), span: end }),
+                    false => Box::new(self.expr()?),
+                };
                 self.need_sign(",", "before what is summed, multiplied or integrated")?;
                 let body = Box::new(self.expr()?);
                 self.need_sign(")", &format!("to close the {word}"))?;

@@ -86,6 +86,10 @@ impl Parser {
     fn related(&mut self, out: &mut Vec<Item>) -> Parsed<()> {
         let start = self.span().start;
         let prop = self.comparison()?;
+        if !matches!(prop.kind, PropKind::Compare(..)) {
+            let help = "suppose a limit with `assume`, behind the declarations";
+            return Err(self.other("this declares no name", Some(help), self.since(start)));
+        }
         let mut new: Vec<(Name, Option<Name>)> = Vec::new();
         walk::free_names(&prop, &mut |text, span| {
             let is_new = text != PI && !self.declared.contains(text);

@@ -17,11 +17,11 @@ impl Parser {
         let is_declared = self.declared.contains(&variable.text);
         self.need_word("is")?;
         let minus =
-            matches!(self.peek(), Kind::Sign("-" | "−")) && self.peek_at(1) == &Kind::Word("infinity".to_string());
+            matches!(self.peek(), Kind::Sign("-" | "−")) && self.peek_at(1) == &Kind::Word(INFINITY.to_string());
         if minus {
             self.advance();
         }
-        if self.word("infinity") {
+        if self.word(INFINITY) {
             // What is greater than some number has the domain of the variable, which only the limit can say here.
             if is_declared {
                 let message =
@@ -56,7 +56,7 @@ impl Parser {
         let said = self.grows(&variable);
         let (has_domain, natural) = (said.is_some(), said == Some(true));
         self.need_sign("->", "between the variable and where it goes")?;
-        if self.word("infinity") {
+        if self.word(INFINITY) {
             return Ok((variable, natural, Towards::Infinity));
         }
         if is_declared || has_domain {
@@ -87,6 +87,58 @@ impl Parser {
         Ok(Some(Prop { kind: PropKind::WrittenLimit(Box::new(limit)), span: self.since(start) }))
     }
 
+    /// `S = L` or `L = S` for a sum, product or integral S from a to infinity: what it is up to a new N tends to L. N is real in an
+    /// integral; else it is natural, and S goes up to N + a where a is not 0 or 1, so that the range is one for every N.
+    pub(super) fn without_end(&mut self, sides: &[Expr], relations: &[Relation], start: usize) -> Parsed<Option<Prop>> {
+        let Some(end) = sides.iter().find_map(infinite_end) else { return Ok(None) };
+        let parts = match (sides, relations) {
+            ([a, b], [Relation::Equal]) => {
+                up_to_infinity(a).map(|own| (own, b)).or_else(|| Some((up_to_infinity(b)?, a)))
+            }
+            _ => None,
+        };
+        let alone = |(index, body, value): &(&Index, &Expr, &Expr)| {
+            [&*index.from, *body, *value].into_iter().all(|e| infinite_end(e).is_none())
+        };
+        let Some((index, body, value)) = parts.map(|((i, b), value)| (i, b, value)).filter(alone) else {
+            return Err(self.other("this goes on to infinity", Some(WITHOUT_END), end));
+        };
+        let whole = if std::ptr::eq(value, &sides[0]) { &sides[1] } else { &sides[0] };
+        let natural = !matches!(whole.kind, ExprKind::IntegralOver(..));
+        let variable = Name { text: self.unused(if natural { "N" } else { "X" }), span: end };
+        let name = Expr { kind: ExprKind::Name(variable.text.clone()), span: end };
+        let to = match &index.from.kind {
+            ExprKind::Number(text) if matches!(text.as_str(), "0" | "1") => name,
+            _ if !natural => name,
+            _ => Expr { kind: ExprKind::Sum(vec![(Sign::Plus, name), (Sign::Plus, (*index.from).clone())]), span: end },
+        };
+        let (index, body) = (Index { to: Box::new(to), ..index.clone() }, Box::new(body.clone()));
+        let kind = match whole.kind {
+            ExprKind::SumOver(..) => ExprKind::SumOver(index, body),
+            ExprKind::ProductOver(..) => ExprKind::ProductOver(index, body),
+            _ => ExprKind::IntegralOver(index, body),
+        };
+        if self.growing.iter().all(|(name, _)| name.text != variable.text) {
+            self.growing.push((variable.clone(), Some(natural)));
+        }
+        let of = Expr { kind, span: whole.span };
+        let limit = Limit { of, variable, value: value.clone() };
+        Ok(Some(Prop { kind: PropKind::Limit(Box::new(limit)), span: self.since(start) }))
+    }
+
+    /// The letter, or the first of the letter with 1, 2, … that is no word of this claim.
+    fn unused(&self, letter: &str) -> String {
+        let begins = |token: &Token| token.first_on_line && token.kind == Kind::Word("claim".to_string());
+        let from = self.tokens[..self.at].iter().rposition(begins).unwrap_or(0);
+        let rest = &self.tokens[from..];
+        let claim = &rest[..rest.iter().skip(1).position(begins).map_or(rest.len(), |next| next + 1)];
+        let is_free = |name: &String| {
+            !self.declared.contains(name) && !claim.iter().any(|t| matches!(&t.kind, Kind::Word(word) if word == name))
+        };
+        let numbered = (1..).map(|k| format!("{letter}{k}"));
+        std::iter::once(letter.to_string()).chain(numbered).find(is_free).unwrap_or_default()
+    }
+
     fn no_order(&mut self, message: &str) -> Reported {
         let span = self.span();
         self.other(message, Some("write for example `f(x) = 1 + x + O(x^2) as x -> 0`"), span)
@@ -102,6 +154,27 @@ impl Parser {
         }
         if self.word("below") { Ok(Some(Sign::Minus)) } else { Err(self.expected("`above` or `below`")) }
     }
+}
+
+/// What an infinite sum may stand in.
+const WITHOUT_END: &str = "write it alone on one side of an equation, `sum(k = 0..infinity, f) = L`, or its limit: \
+                           `limit of sum(k = 0..n, f) as n natural -> infinity is L`";
+
+/// The index and body of a sum, product or integral up to infinity.
+fn up_to_infinity(e: &Expr) -> Option<(&Index, &Expr)> {
+    let (ExprKind::SumOver(index, body) | ExprKind::ProductOver(index, body) | ExprKind::IntegralOver(index, body)) =
+        &e.kind
+    else {
+        return None;
+    };
+    matches!(&index.to.kind, ExprKind::Name(end) if end == INFINITY).then_some((index, &**body))
+}
+
+/// Where an expression goes on to infinity.
+fn infinite_end(e: &Expr) -> Option<Span> {
+    let mut found = up_to_infinity(e).map(|(index, _)| index.to.span);
+    walk::parts(e, &mut |part| found = found.or_else(|| infinite_end(part)));
+    found
 }
 
 /// Whether `O(…)` occurs in an expression.

@@ -36,6 +36,9 @@ const PREAMBLE: &[&str] = &["paper", "source", "section", "reading", "given", "l
 /// What is expected after the names of a declaration.
 const DOMAIN: &str = "a domain: `real`, `natural`, `integer`, `> 0`, `in [0, 1]` or `in 1..n`";
 
+/// Where a limit goes, and where a sum has no end.
+const INFINITY: &str = "infinity";
+
 /// Words that cannot be names of variables.
 const RESERVED: &[&str] = &[
     "claim",
@@ -69,7 +72,7 @@ const RESERVED: &[&str] = &[
     "maximum",
     "minimum",
     "limit",
-    "infinity",
+    INFINITY,
     "have",
     "obtain",
     "case",
@@ -385,7 +388,7 @@ impl Parser {
                     let near = || nearest(w, CLAUSES.iter().copied()).map(|near| format!("did you mean `{near}`?"));
                     behind_a_statement(w).map(str::to_string).or_else(near)
                 }
-                (_, Kind::Word(w)) if matches!(w.as_str(), "in" | "infinity") => foreign(w).map(str::to_string),
+                (_, Kind::Word(w)) if matches!(w.as_str(), "in" | INFINITY) => foreign(w).map(str::to_string),
                 (Some(Kind::Word(w)), _) if expected == "`of`" => foreign(w).map(str::to_string),
                 (Some(Kind::Word(w)), Kind::Sign("!")) if w == "exists" => foreign("exists !").map(str::to_string),
                 (_, Kind::Word(w)) if expected == END_OF_CLAUSE && behind_a_statement(w).is_some() => {

@@ -150,6 +150,9 @@ impl Parser {
         if let Some(order) = self.order(&sides, &relations, start)? {
             return Ok(order);
         }
+        if let Some(limit) = self.without_end(&sides, &relations, start)? {
+            return Ok(limit);
+        }
         Ok(Prop { kind: PropKind::Compare(sides, relations), span: self.since(start) })
     }
 

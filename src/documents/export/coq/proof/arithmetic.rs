@@ -1,6 +1,7 @@
 //! The rules of arithmetic: combinations, monotone powers, the mean, sums and products.
 
 use super::identity::Side;
+use super::limits::of_no_sum;
 use super::signs::{Environment, Tree, by_sign};
 use super::*;
 use crate::claim::matrix::Matrices;
@@ -41,6 +42,7 @@ impl Writer<'_> {
             if by.len() > 1 {
                 return self.second_derivative(body, by, given);
             }
+            of_no_sum(body, by)?;
             return self.first_derivative(goal, body, times, terms, given);
         }
         let text = format!("{} - {}", self.expr(a)?, self.expr(b)?);

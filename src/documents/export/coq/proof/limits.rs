@@ -2,7 +2,10 @@
 
 use super::identity::Side;
 use super::*;
+use crate::claim::free_names::names_in;
+use crate::claim::walk::parts;
 use num_traits::Zero;
+use std::collections::BTreeSet;
 
 impl Writer<'_> {
     /// The limit of a quotient of polynomials in the variable, by what it is in the inverse of the variable.
@@ -102,6 +105,7 @@ impl Writer<'_> {
             let label = "a derivative".to_string();
             return Err(Open::Untranslated(label, "one of higher order inside an expression"));
         }
+        of_no_sum(body, by)?;
         self.needs(body, given)?;
         let inside = self.checker.read(body, &[])?;
         self.divisors(&inside, given)?;
@@ -114,6 +118,7 @@ impl Writer<'_> {
         let [x, _] = by else {
             return Err(Open::Untranslated("combination".to_string(), "a derivative of higher order"));
         };
+        of_no_sum(body, by)?;
         let first = expr(ExprKind::Derivative(Box::new(body.clone()), vec![x.clone()]));
         let first = self.checker.read(&first, &[])?;
         self.positive(&first, given)?;
@@ -134,4 +139,20 @@ impl Writer<'_> {
             ),
         })
     }
+}
+
+/// Refuses a sum over an index that holds a variable by which it is differentiated: the library has no rule for it.
+pub(super) fn of_no_sum(body: &Expr, by: &[Name]) -> Found<()> {
+    let mut names = BTreeSet::new();
+    names_in(body, &mut names);
+    if matches!(body.kind, ExprKind::SumOver(..)) && by.iter().any(|x| names.contains(&x.text)) {
+        return Err(Open::Untranslated("combination".to_string(), "the derivative of a sum over an index"));
+    }
+    let mut found = Ok(());
+    parts(body, &mut |part| {
+        if found.is_ok() {
+            found = of_no_sum(part, by);
+        }
+    });
+    found
 }
