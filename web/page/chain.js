@@ -14,6 +14,8 @@ const BEGINNING = { m1: "10", m2: "1", e: "9/10", n: "7", inserted: "optimal", m
 /** The fields for distances and walls. */
 const PLACES = ["gaps", "left", "right", "wall"];
 const EXAMPLES = [
+  ["Two bodies towards each other", { m1: "2", m2: "1", e: "1/2", n: "0", velocities: "1, -1" }],
+  ["Two bodies between walls", { m1: "2", m2: "1", e: "1", n: "0", velocities: "1, -1", gaps: "2", left: "1", right: "1", wall: "0.9" }],
   ["Ten to one, seven bodies between", { m1: "10", m2: "1", e: "9/10", n: "7" }],
   ["Exactly on the threshold", { m1: "64", m2: "1", e: "44/81", n: "2" }],
   ["Elastic, masses 64 to 1", { m1: "64", m2: "1", e: "1", n: "5" }],
@@ -22,8 +24,6 @@ const EXAMPLES = [
   ["Measured restitution", { m1: "57.1 ± 0.1", m2: "1", e: "[0.88, 0.92]", n: "3" }],
   ["A restitution for each collision", { m1: "10", m2: "1", e: "9/10, 4/5, 7/10", n: "2" }],
   ["Masses of your own", { m1: "10", m2: "1", e: "9/10", masses: "5, 5/2" }],
-  ["Two bodies towards each other", { m1: "2", m2: "1", e: "1/2", n: "0", velocities: "1, -1" }],
-  ["Two bodies between walls", { m1: "2", m2: "1", e: "1", n: "0", velocities: "1, -1", gaps: "2", left: "1", right: "1", wall: "0.9" }],
   ["Two bodies towards a third", { m1: "2", m2: "1", e: "1/2", masses: "1", velocities: "1, 0, -1/2" }],
 ];
 /** Collisions that are listed. */
@@ -115,35 +115,24 @@ function showSliders({ id, scale, shown, exact, name, said }) {
   });
 }
 
-/** As many coefficients as collisions: the last one is repeated, or the list is cut. */
+/** What a smaller number of bodies left over of a list, by field: a larger number brings it back. */
+const leftOver = new Map();
+
+/** The list of a field with so many elements: those left over before come first, then as many as `more` gives. */
+function fitList(id, count, more) {
+  const list = [...elements($(id).value), ...(leftOver.get(id) ?? [])].filter(Boolean);
+  while (list.length < count) list.push(more(list));
+  leftOver.set(id, list.slice(count));
+  $(id).value = joined(list.slice(0, count));
+}
+
+/** As many elements of each list as there are bodies: the last coefficient is repeated, more bodies rest, one unit apart. */
 function fit() {
-  if (!$("each").checked) return;
   const count = $("given").checked ? elements($("masses").value).filter(Boolean).length : Number($("n").value);
   if (!Number.isInteger(count) || count < 0 || count > 200) return;
-  const list = elements($("e").value).filter(Boolean);
-  if (!list.length) return;
-  while (list.length < count + 1) list.push(list[list.length - 1]);
-  $("e").value = joined(list.slice(0, count + 1));
-}
-
-/** As many velocities as bodies: more bodies rest. */
-function fitVelocities() {
-  if (!$("moving").checked) return;
-  const count = $("given").checked ? elements($("masses").value).filter(Boolean).length : Number($("n").value);
-  if (!Number.isInteger(count) || count < 0 || count > 200) return;
-  const list = elements($("v0").value).filter(Boolean);
-  if (!list.length) list.push("1");
-  while (list.length < count + 2) list.push("0");
-  $("v0").value = joined(list.slice(0, count + 2));
-}
-
-/** As many distances as pairs of neighbours: new bodies stand one unit apart. */
-function fitGaps() {
-  const count = $("given").checked ? elements($("masses").value).filter(Boolean).length : Number($("n").value);
-  if (!$("placed").checked || !Number.isInteger(count) || count < 0 || count > 200) return;
-  const list = elements($("gaps").value).filter(Boolean);
-  while (list.length < count + 1) list.push("1");
-  $("gaps").value = joined(list.slice(0, count + 1));
+  if ($("each").checked && $("e").value.trim()) fitList("e", count + 1, (list) => list.at(-1) ?? BEGINNING.e);
+  if ($("moving").checked) fitList("v0", count + 2, (list) => (list.length ? "0" : "1"));
+  if ($("placed").checked) fitList("gaps", count + 1, () => "1");
 }
 
 /** A distance as it is dragged to: in hundredths. */
@@ -156,7 +145,7 @@ function dragged(body, by) {
     $("placed").checked = true;
     layout();
   }
-  fitGaps();
+  fit();
   const list = elements($("gaps").value);
   if (body > 0) list[body - 1] = hundredths(gaps[body - 1] + by);
   else if (room[0] !== null) $("left").value = hundredths(room[0] + by);
@@ -170,6 +159,7 @@ function dragged(body, by) {
 const several = (text) => elements(text).length > (/^[^,;[]*,\S[^,;]*$/.test(text) && !/[./%]/.test(text) ? 2 : 1);
 
 function restore() {
+  leftOver.clear();
   for (const key of ["m1", "m2", "e", "n", "digits"]) $(key).value = state.get(key, BEGINNING[key]);
   $("masses").value = state.get("masses", "");
   $("given").checked = state.get("inserted", "optimal") === "given";
@@ -513,6 +503,7 @@ export function start() {
   $("preset").addEventListener("change", () => {
     const example = EXAMPLES[Number($("preset").value)]?.[1];
     if (!example) return;
+    leftOver.clear();
     for (const key of ["m1", "m2", "e", "n"]) $(key).value = example[key] ?? BEGINNING[key];
     $("masses").value = example.masses ?? "";
     $("given").checked = Boolean(example.masses);
@@ -531,25 +522,25 @@ export function start() {
   attach($("m1-slider"), $("m1"), MASS, ask);
   attach($("m2-slider"), $("m2"), MASS, ask);
   attach($("e-slider"), $("e"), RESTITUTION, ask);
-  attach($("n-slider"), $("n"), COUNT, () => { fit(); fitVelocities(); fitGaps(); ask(); });
+  attach($("n-slider"), $("n"), COUNT, () => { fit(); ask(); });
   for (const id of ["m1", "m2", "e", "v0", "digits", ...PLACES]) $(id).addEventListener("input", ask);
-  for (const id of ["n", "masses"]) $(id).addEventListener("input", () => { fit(); fitVelocities(); fitGaps(); layout(); ask(); });
+  for (const id of ["n", "masses"]) $(id).addEventListener("input", () => { fit(); layout(); ask(); });
   $("moving").addEventListener("change", () => {
     // Velocities of all bodies go with given masses; without inserted bodies all masses are given.
     if ($("moving").checked && !$("given").checked && $("n").value.trim() !== "0") $("given").click();
-    fitVelocities();
+    fit();
     layout();
     ask();
   });
   $("placed").addEventListener("change", () => {
-    fitGaps();
+    fit();
     layout();
     ask();
   });
   stage.onDrag(dragged);
   $("each").addEventListener("change", () => {
     if ($("each").checked) fit();
-    else $("e").value = elements($("e").value)[0] || BEGINNING.e;
+    else fitList("e", 1, () => BEGINNING.e);
     layout();
     ask();
   });
@@ -562,8 +553,6 @@ export function start() {
       rounded = inner.some((m, i) => m.exact !== typed[i]) ? $("masses").value : null;
     }
     fit();
-    fitVelocities();
-    fitGaps();
     layout();
     ask();
   });

@@ -323,7 +323,7 @@ test("an example's name goes when its numbers are changed, and a huge field stay
     await answered(page);
     await page.selectOption("#preset", { label: "Elastic, masses 64 to 1" });
     await page.waitForFunction(() => document.querySelector(".quantity.threshold .sign").textContent === "L5");
-    assert.equal(await page.inputValue("#preset"), "2");
+    assert.equal(await page.inputValue("#preset"), "4");
     await page.fill("#n", "4");
     assert.equal(await page.inputValue("#preset"), "");
     await page.fill("#m1", "1".repeat(100_000));

@@ -516,6 +516,22 @@ test("sliders set inserted masses and velocities, and Reset takes everything bac
   });
 });
 
+test("fewer bodies and more again leave the lists as they were typed", async () => {
+  await visit("#m1=2&e=1/2,1/3,1/4&inserted=given&masses=1;1&velocities=1;0;0;-1&gaps=1;2;3", async (page) => {
+    await answered(page);
+    await page.fill("#masses", "1");
+    assert.equal(await page.inputValue("#v0"), "1, 0, 0");
+    await page.fill("#masses", "1, 1");
+    assert.equal(await page.inputValue("#v0"), "1, 0, 0, -1");
+    assert.equal(await page.inputValue("#e"), "1/2, 1/3, 1/4");
+    assert.equal(await page.inputValue("#gaps"), "1, 2, 3");
+    await page.uncheck("#each");
+    assert.equal(await page.inputValue("#e"), "1/2");
+    await page.check("#each");
+    assert.equal(await page.inputValue("#e"), "1/2, 1/3, 1/4");
+  });
+});
+
 test("bodies and collisions are saved as CSV, all of them", async () => {
   await visit("#m1=2&n=0&e=1/3&inserted=given&masses=3", async (page) => {
     await answered(page);
