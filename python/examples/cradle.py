@@ -1,4 +1,4 @@
-"""Newton's cradle with imperfect balls, replayed exactly."""
+"""Imperfect balls on a line, struck as in Newton's cradle and replayed exactly; they do not swing back."""
 
 import carom
 
@@ -8,7 +8,7 @@ mass = "0.0663"
 position = {position}
 velocity = {velocity}
 """
-scene = 'title = "A cradle"\nrestitution = "0.985"\n' + "".join(
+scene = 'title = "Balls on a line"\nrestitution = "0.985"\n' + "".join(
     BALL.format(position=k, velocity=1 if k == 0 else 0) for k in range(4)
 )
 
