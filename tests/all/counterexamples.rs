@@ -44,6 +44,19 @@ fn tried(claim: &Claim, cases: u32, seed: u64) -> Outcome {
 }
 
 #[test]
+fn what_fails_is_said_in_the_words_of_the_author() {
+    for (goal, said) in [
+        ("1/cos(t/2) = 1/cos(t/2)", "division by cos(t/2) = 0"),
+        ("sin(t) <= 1 and cos(t/2) >= 0", "cos(t/2) >= 0"),
+        ("ln(cos(t)) <= 0", "ln(cos(t)) takes the logarithm of a number that is not positive"),
+    ] {
+        let claims = parse(&format!("claim c \"t\"\ngiven t real\nprove {goal}\n")).unwrap();
+        let witness = judged(&claims[0]).outcome.witness.unwrap();
+        assert_eq!(witness.broken[0].statement, said, "{goal}");
+    }
+}
+
+#[test]
 fn both_sides_are_shown_with_digits_that_are_certain_and_differ() {
     let cube = "claim c \"t\"\ngiven x real\nassume x^2 = 2\nassume x > 0\nprove x^3 = 3\n";
     let near = "claim c \"t\"\nprove sqrt(2) = 1.41421356237309504880\n";

@@ -1,6 +1,6 @@
 //! Proofs in words: what a reader sees of the proofs of the catalogue.
 
-use crate::support::catalogue;
+use crate::support::{catalogue, text, with_input};
 use carom::certificate::Certificate;
 use carom::claim::syntax::Claim;
 use carom::kernel::{Accepted, Verdict, check};
@@ -48,4 +48,12 @@ convincing! {
     the_best_two_masses: "eq17",
     the_share_through_n_bodies: "eq25",
     the_gain_grows: "b-grow",
+}
+
+#[test]
+fn a_proof_is_in_the_words_of_the_author() {
+    let claim = "claim c \"t\"\ngiven theta real\nprove 2*cos(theta/2)^2 = 1 + cos(theta)\n";
+    let said = text(&with_input(&["explain", "c", "-"], claim).stdout).to_string();
+    let proof = said.split_once("\nProof\n").expect("a proof").1;
+    assert!(proof.contains("cos(θ/2)^2") && !proof.contains("over"), "{said}");
 }

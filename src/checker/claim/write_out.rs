@@ -52,14 +52,35 @@ fn said_items(claim: &mut Claim) -> Vec<Item> {
     items
 }
 
-/// A proposition in the words of the claim's author: `cos(theta)` for the name that the reader made. Where a name is bound the
-/// proposition stays as it is.
-pub fn in_words(claim: &Claim, prop: &Prop) -> Prop {
-    let mut words = Substitution::default();
-    for (name, meaning) in claim.written.iter().flat_map(|written| &written.made) {
-        words.replace(name, meaning);
+/// The words of a claim's author for the names that the reader made: `cos(theta)` for `cos_theta`. Where a name is bound, what
+/// holds it stays as it is.
+#[derive(Clone, Debug, Default)]
+pub struct Words(Substitution);
+
+impl Words {
+    /// The words of this claim's author.
+    pub fn of(claim: &Claim) -> Words {
+        let mut words = Substitution::default();
+        for (name, meaning) in claim.written.iter().flat_map(|written| &written.made) {
+            words.replace(name, meaning);
+        }
+        Words(words)
     }
-    words.prop(prop).unwrap_or_else(|_| prop.clone())
+
+    /// An expression in these words.
+    pub fn expr(&self, e: &Expr) -> Expr {
+        self.0.expr(e).unwrap_or_else(|_| e.clone())
+    }
+
+    /// A proposition in these words.
+    pub fn prop(&self, prop: &Prop) -> Prop {
+        self.0.prop(prop).unwrap_or_else(|_| prop.clone())
+    }
+}
+
+/// A proposition in the words of the claim's author.
+pub fn in_words(claim: &Claim, prop: &Prop) -> Prop {
+    Words::of(claim).prop(prop)
 }
 
 /// Whether a claim has something to be written out: a word that is, a power of a matrix, or a limit.

@@ -2,7 +2,8 @@
 //! The writers of text, HTML and LaTeX decide the layout.
 
 use crate::certificate::Label;
-use crate::claim::syntax::{Expr, Prop};
+use crate::claim::syntax::{Claim, Expr, Prop};
+use crate::claim::write_out::Words;
 
 /// A part of a sentence.
 #[derive(Clone, Debug)]
@@ -53,6 +54,26 @@ impl Document {
         number(&mut blocks, &asked, &mut numbers);
         refer(&mut blocks, &numbers);
         Document { blocks }
+    }
+
+    /// The document in the words of the claim's author: `cos(theta/2)` for the name that the reader made.
+    pub(super) fn in_words(mut self, claim: &Claim) -> Document {
+        put_words(&mut self.blocks, &Words::of(claim));
+        self
+    }
+}
+
+fn put_words(blocks: &mut [Block], words: &Words) {
+    for block in blocks {
+        match block {
+            Block::Sentence(pieces) => pieces.iter_mut().for_each(|piece| match piece {
+                Piece::Expr(e) => *e = words.expr(e),
+                Piece::Prop(prop) | Piece::Fact(_, prop) => *prop = words.prop(prop),
+                Piece::Text(_) | Piece::Number(_) => {}
+            }),
+            Block::Formula { prop, .. } => *prop = words.prop(prop),
+            Block::Inner(inner) => put_words(inner, words),
+        }
     }
 }
 

@@ -14,6 +14,7 @@ use crate::claim::definedness::{Need, needs};
 use crate::claim::parse::parse_expr;
 use crate::claim::print;
 use crate::claim::syntax::*;
+use crate::claim::write_out::Words;
 use crate::kernel::statement::{Statement, compare, name, numeral, prop};
 use crate::kernel::substitution::Substitution;
 use crate::kernel::{self, Checker, Reason, Refusal, check, key, refutation};
@@ -73,9 +74,9 @@ pub fn witness(claim: &Claim, certificate: &Certificate) -> Witness {
     let values = refutes.point.iter().map(|(place, value)| (print::expr(place), print::expr(value))).collect();
     let single = |statement, left: &str| vec![Broken { statement, left: left.to_string(), right: String::new() }];
     let broken = match &refutes.undefined {
-        Some(e) => single(format!("{} has no value", print::expr(e)), "no value"),
+        Some(e) => single(format!("{} has no value", print::expr(&Words::of(claim).expr(e))), "no value"),
         None => {
-            let sides = expand::Statement::of(claim).map_or_else(|_| Vec::new(), |s| broken(&s, &refutes.point));
+            let sides = expand::Statement::of(claim).map_or_else(|_| Vec::new(), |s| broken(claim, &s, &refutes.point));
             if sides.is_empty() { single(print::prop(claim.written_goal()), "") } else { sides }
         }
     };

@@ -14,6 +14,7 @@ use super::trial::Trial;
 use super::{dependence, faults, sample};
 use crate::claim::dimension::Mismatch;
 use crate::claim::syntax::Claim;
+use crate::claim::write_out::Words;
 use std::rc::Rc;
 use std::time::Duration;
 
@@ -43,6 +44,8 @@ pub(crate) struct Case {
     /// How the statement is searched, until the search for a counterexample begins.
     plan: Option<Plan>,
     statement: Rc<Statement>,
+    /// The words of the claim's author.
+    words: Rc<Words>,
     sample: Option<Point>,
     /// Whether the sample was shown to exist, because none was found by evaluation.
     is_shown: bool,
@@ -74,6 +77,7 @@ impl Case {
         Ok(Case {
             plan,
             statement,
+            words: Rc::new(Words::of(claim)),
             sample,
             is_shown: false,
             trial: None,
@@ -150,7 +154,8 @@ impl Case {
             return None;
         }
         if let Some(plan) = self.plan.take() {
-            self.trial = Trial::of(self.statement.clone(), plan);
+            let trial = Trial::of(self.statement.clone(), plan);
+            self.trial = trial.map(|trial| trial.in_words(self.words.clone()));
         }
         let deadline = self.started.checked_add(self.time);
         let effort = match stage {

@@ -10,13 +10,16 @@ use super::outcome::{Broken, Witness};
 use super::points::Effort;
 use super::search::{Plan, Search};
 use super::trial::Trial;
-use crate::claim::syntax::{Expr, ExprKind};
+use crate::claim::syntax::{Claim, Expr, ExprKind};
+use crate::claim::write_out::Words;
 use std::rc::Rc;
 use std::time::Duration;
 
 /// The comparisons of a false goal at a point of variables, rational or not, with both sides; empty where one is not computed.
-pub fn broken(statement: &Statement, point: &[(Expr, Expr)]) -> Vec<Broken> {
-    let mut at = Search::new(&statement.bindings, Some(statement)).base;
+/// The statement is that of the claim, whose author's words are said.
+pub fn broken(claim: &Claim, statement: &Statement, point: &[(Expr, Expr)]) -> Vec<Broken> {
+    let words = Rc::new(Words::of(claim));
+    let mut at = Assignment { words, ..Search::new(&statement.bindings, Some(statement)).base };
     let alone = Assignment { is_pi: at.is_pi, ..Assignment::default() };
     for (place, value) in point {
         match (&place.kind, alone.number(value)) {

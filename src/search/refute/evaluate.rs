@@ -13,7 +13,9 @@ use super::number::{
 use super::quantified::QUANTIFIERS;
 use super::recurrence::{Members, Recurrence};
 use crate::claim::definedness::{self, Exponent, Need};
+use crate::claim::print;
 use crate::claim::syntax::*;
+use crate::claim::write_out::Words;
 use crate::kernel::statement::{Sequence, steps_once};
 use crate::number::rational;
 use malachite::base::num::arithmetic::traits::Pow;
@@ -37,6 +39,8 @@ const TICK: u32 = 128;
 /// A point: values of variables and of members of families.
 #[derive(Clone, Debug)]
 pub struct Assignment {
+    /// How messages call what the reader gave a name.
+    pub words: Rc<Words>,
     /// Variables.
     pub values: HashMap<String, Rational>,
     /// Variables with irrational values.
@@ -77,6 +81,7 @@ pub struct Assignment {
 impl Default for Assignment {
     fn default() -> Assignment {
         Assignment {
+            words: Rc::default(),
             values: HashMap::default(),
             numbers: Rc::default(),
             is_pi: false,
@@ -99,6 +104,11 @@ impl Default for Assignment {
 }
 
 impl Assignment {
+    /// An expression in the words of the claim's author, as text.
+    pub(super) fn said(&self, e: &Expr) -> String {
+        print::expr(&self.words.expr(e))
+    }
+
     /// Gives a variable its value.
     pub fn give(&mut self, name: &str, value: Number) {
         match value {
@@ -175,7 +185,7 @@ impl Assignment {
         for (operator, factor) in list {
             let value = self.value(factor)?;
             let divisor = if *operator == Factor::Over { Some(factor) } else { None };
-            product = product.times(value, divisor)?;
+            product = product.times(value, divisor.map(|e| || self.said(e)))?;
         }
         Ok(product)
     }
@@ -183,7 +193,7 @@ impl Assignment {
     /// A derivative, by its formula. It has no value where what is differentiated has none.
     fn derivative(&self, e: &Expr, body: &Expr) -> Result<Number> {
         self.value(body)?;
-        let formula = self.derivatives.get(&crate::claim::print::expr(e)).filter(|_| self.is_smooth(body));
+        let formula = self.derivatives.get(&print::expr(e)).filter(|_| self.is_smooth(body));
         self.number(formula.ok_or(Missing::Unknown)?).map_err(|_| Missing::Unknown)
     }
 
@@ -244,14 +254,14 @@ impl Assignment {
         match self.number(e)? {
             Number::Exact(q) => i64::try_from(&q).map_err(|_| match (&q).is_integer() {
                 true => Missing::Unknown,
-                false => Missing::Undefined(format!("{} is no whole number", crate::claim::print::expr(e))),
+                false => Missing::Undefined(format!("{} is no whole number", self.said(e))),
             }),
             Number::Between(..) => Err(Missing::Unknown),
         }
     }
 
     pub(super) fn power(&self, a: &Number, b: &Number, kind: Exponent, e: &Expr) -> Result<Number> {
-        let text = || crate::claim::print::expr(e);
+        let text = || self.said(e);
         let (low, high) = a.ends();
         let missing = match kind {
             Exponent::Whole => false,
@@ -312,8 +322,8 @@ impl Assignment {
             "exp" => exponential(&self.number(argument)?)?,
             "cos" => cosine_and_sine(&self.number(argument)?)?.0,
             "sin" => cosine_and_sine(&self.number(argument)?)?.1,
-            "ln" => logarithm(&self.number(argument)?, || crate::claim::print::expr(e))?,
-            "arcsin" | "arccos" | "arctan" => arc(text, &self.number(argument)?, || crate::claim::print::expr(e))?,
+            "ln" => logarithm(&self.number(argument)?, || self.said(e))?,
+            "arcsin" | "arccos" | "arctan" => arc(text, &self.number(argument)?, || self.said(e))?,
             "cosh" | "sinh" | "tanh" | "sech" => hyperbolic(text, &self.number(argument)?)?,
             _ => self.indexed(name, argument)?,
         }))

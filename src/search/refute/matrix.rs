@@ -1,8 +1,6 @@
 //! Scalars and matrices of numbers: sum, product, determinant.
 
 use super::number::{Missing, Number, Result, add, invert, multiply, negate, of_some_size};
-use crate::claim::print;
-use crate::claim::syntax::Expr;
 use malachite::Rational;
 use malachite::base::num::basic::traits::{One, Zero};
 
@@ -32,10 +30,10 @@ impl Value {
         })
     }
 
-    /// The product with another value; of a scalar that is divided by, with its inverse.
-    pub(super) fn times(self, other: Value, divisor: Option<&Expr>) -> Result<Value> {
-        let inverted = |b: Number| match divisor {
-            Some(e) => invert(&b, || print::expr(e)),
+    /// The product with another value; of a scalar that is divided by and said so, with its inverse.
+    pub(super) fn times(self, other: Value, divisor: Option<impl Fn() -> String>) -> Result<Value> {
+        let inverted = |b: Number| match &divisor {
+            Some(said) => invert(&b, said),
             None => Ok(b),
         };
         Ok(match (self, other) {

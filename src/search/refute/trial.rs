@@ -13,6 +13,7 @@ use super::search::{Choice, Plan, as_point};
 use super::shape;
 use super::shrink::simpler;
 use crate::claim::syntax::*;
+use crate::claim::write_out::Words;
 use std::rc::Rc;
 
 /// The most times a failing point is made simpler.
@@ -68,7 +69,14 @@ impl Trial {
         let said = statement.assumptions.iter().map(|a| &a.1).chain([&statement.goal]);
         said.into_iter().try_for_each(shape::check).map_err(|fault| Untried::Fault(Fault::Text(fault)))?;
         let plan = Plan::of(&statement);
-        Trial::of(Rc::new(statement), plan).ok_or(Untried::Moves)
+        let trial = Trial::of(Rc::new(statement), plan).ok_or(Untried::Moves)?;
+        Ok(trial.in_words(Rc::new(Words::of(claim))))
+    }
+
+    /// The same trial, which says what fails in these words.
+    pub(super) fn in_words(mut self, words: Rc<Words>) -> Trial {
+        self.points.search.base.words = words;
+        self
     }
 
     /// A trial of a statement; `None` where no point decides the goal.

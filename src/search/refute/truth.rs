@@ -196,7 +196,7 @@ impl Assignment {
                     let single = Prop { kind: PropKind::Compare(pair.to_vec(), vec![*relation]), span: prop.span };
                     if let (Ok(a), Ok(b)) = (self.number(&pair[0]), self.number(&pair[1])) {
                         let (left, right) = number::sides(&a, &b);
-                        into.push(Broken { statement: print::prop(&single), left, right });
+                        into.push(Broken { statement: print::prop(&self.words.prop(&single)), left, right });
                     }
                 }
             }
@@ -212,7 +212,11 @@ impl Assignment {
                 self.broken(q, into);
             }
             PropKind::Exists(..) | PropKind::ForAll(..) => {
-                into.push(Broken { statement: print::prop(prop), left: String::new(), right: String::new() });
+                into.push(Broken {
+                    statement: print::prop(&self.words.prop(prop)),
+                    left: String::new(),
+                    right: String::new(),
+                });
             }
             _ => {}
         }
