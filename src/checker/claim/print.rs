@@ -255,6 +255,8 @@ impl Style {
                 [one] if matches!(one.kind, ExprKind::Number(_) | ExprKind::Name(_)) => format!("√{list}"),
                 _ => format!("√({list})"),
             },
+            // Bars within bars are hard to read.
+            (Style::Unicode, "abs") if !list.contains('|') => format!("|{list}|"),
             _ => self.member(&name.text, &list),
         }
     }
@@ -534,6 +536,7 @@ mod tests {
         assert_eq!(unicode("sqrt(x)^2"), "(√x)^2");
         assert_eq!(unicode("sqrt(x^2)"), "√(x^2)");
         assert_eq!(unicode("sqrt(x)*y"), "√x·y");
+        assert_eq!(unicode("abs(x - |y|)*2"), "abs(x − |y|)·2");
         assert_eq!(unicode("sqrt(sqrt(x))"), "√(√x)");
         assert_eq!(unicode("sqrt(m(k))"), "√(m(k))");
     }

@@ -197,6 +197,7 @@ fn apply(name: &Name, arguments: &[Expr]) -> String {
     let list = list.join(&operator(","));
     match name.text.as_str() {
         "sqrt" => format!("<msqrt>{list}</msqrt>"),
+        "abs" => format!("<mrow><mo>|</mo>{list}<mo>|</mo></mrow>"),
         "cbrt" => format!("<mroot>{}{}</mroot>", row(&[list]), number("3")),
         "exp" | "ln" | "arcsin" | "arccos" | "arctan" | "cosh" | "sinh" | "tanh" | "sech" | "det" | "transpose" => {
             row(&[format!("<mi>{}</mi>", escape(&name.text)), fenced(&list)])
@@ -352,6 +353,7 @@ mod tests {
         for part in ["<mfrac>", "<msqrt><mi>μ</mi></msqrt>", "<msup><mrow><mo>(</mo>", "<mo>≥</mo>", "<mi>η</mi>"] {
             assert!(text.contains(part), "{part} in {text}");
         }
+        assert!(shown("|a - b| = 1").contains("<mrow><mo>|</mo><mrow><mi>a</mi>"), "{}", shown("|a - b| = 1"));
         assert!(!shown("a*(b/c) = 1").contains("<mo>(</mo><mfrac>"));
         assert!(shown("a*(b + c) = 1").contains("<mo>(</mo>"));
         assert!(shown("a^(1/(n + 1)) = 1").contains("<mn>1</mn><mo>/</mo><mrow><mo>(</mo>"));
