@@ -116,6 +116,7 @@ pub fn foreign(word: &str) -> Option<&'static str> {
         "≡" => REMAINDER,
         "°" => "write an angle with pi: 30° is pi/6",
         "½" | "⅓" | "⅔" | "¼" | "¾" => "write a fraction as a quotient: 1/2",
+        "“" | "”" | "„" => "write the title between straight quotation marks: \"…\"",
         "{" | "}" => "group with parentheses: (…)",
         _ => return domain(word),
     })
@@ -146,7 +147,7 @@ pub fn behind_a_statement(word: &str) -> Option<&'static str> {
         "with" | "suppose" | "assuming" | "hypothesis" => {
             "write the condition as a hypothesis before `prove`: `assume a + b + c = 1`"
         }
-        "at" => "write the place before the value: `maximum of x*(2 - x) over x real at x = 1 is 1`",
+        "at" | "only" => "write the place before the value: `maximum of x*(2 - x) over x real at x = 1 is 1`",
         _ => return None,
     })
 }

@@ -1,5 +1,6 @@
 //! The claim language: what is printed reads back, and what is wrong is said where it is.
 
+use crate::support::{text, with_input};
 use carom::claim::format::format;
 use carom::claim::parse::{parse, parse_bytes, parse_prop};
 use carom::claim::print;
@@ -290,6 +291,18 @@ fn a_character_that_is_no_part_of_the_language_brings_a_second_fault() {
 }
 
 #[test]
+fn an_unfinished_claim_takes_none_of_the_others_away() {
+    let whole = "given x real\nprove x = x\n";
+    let source = format!(
+        "claim a \"a\"\n{whole}claim half \"h\"\ngiven x real\nprove x >\n\nclaim b \"b\"\n{whole}claim c \"c\"\n{whole}"
+    );
+    let out = with_input(&["audit", "-"], &source);
+    let (verdicts, faults) = (text(&out.stdout), text(&out.stderr));
+    assert!(verdicts.contains("3 claims: 3 proved"), "{verdicts}");
+    assert!(faults.contains("-:6:10") && faults.matches("error").count() == 1, "{faults}");
+}
+
+#[test]
 fn what_other_languages_write_is_one_fault_with_what_to_write_instead() {
     for (rest, said, help) in [
         ("prove n^2 mod 4 = 0", "3:11 the claim language has no `mod`", "`n - 5*floor(n/5)`"),
@@ -338,6 +351,15 @@ fn what_other_languages_write_is_one_fault_with_what_to_write_instead() {
         ("prove sum(k,1,n,k) = n", "3:12 expected `=` and a range", "sum(k = 1..n, f)"),
         ("prove int(z, z, 0, 1) = x", "3:7 nothing declares the name int", "integral(x = a..b, f)"),
         ("prove sin^2 x = 1", "3:13 expected a comparison sign", "write sin(x)^2"),
+        ("prove x < 1,000", "3:12 expected the end of the clause", "write 1000 without a separator, or 1.000"),
+        ("prove x < 0,9", "3:12 expected the end of the clause", "write 0.9 with a decimal point"),
+        ("prove x < 1, 2*y = 2*y", "3:12 expected the end of the clause", "join two statements by `and`"),
+        ("prove maximum of z for z > 0 is 1", "3:20 expected `over`", "over x > 0"),
+        (
+            "prove maximum of z over z in [0, 1] is 1 only at z = 1",
+            "3:42 expected the end of the clause",
+            "the place before the value",
+        ),
         ("prove sin² x = 1", "3:12 expected a comparison sign", "write sin(x)^2"),
     ] {
         let source = format!("claim c \"t\"\ngiven x, y > 0;  n natural\n{rest}\n");
@@ -345,6 +367,8 @@ fn what_other_languages_write_is_one_fault_with_what_to_write_instead() {
         assert!(found.starts_with(said) && found.contains(help), "{rest}: {found}");
         assert_eq!(messages(&source).len(), 1, "{rest}: {:?}", messages(&source));
     }
+    let curly = fault("claim c “t”\nprove 1 = 1\n");
+    assert!(curly.contains("straight quotation marks"), "{curly}");
     // A word that the claim declares is one of its names.
     for rest in [
         "given iff > 0, inf > 0\nprove iff + inf > 0",

@@ -307,6 +307,13 @@ impl Parser {
         self.tokens[self.at].span
     }
 
+    /// Where something is missing: here, or behind the last token where the next claim begins here, so that the fault is one of the
+    /// claim that is not finished.
+    fn missing(&self) -> Span {
+        let begins = self.tokens[self.at].first_on_line && self.is_word("claim");
+        if begins && self.at > 0 { self.since(self.last_end()) } else { self.span() }
+    }
+
     fn last_end(&self) -> usize {
         if self.at == 0 { 0 } else { self.tokens[self.at - 1].span.end }
     }
@@ -398,6 +405,13 @@ impl Parser {
                     Some("put a condition in: `maximum of x*y` with x + y = 1 is `maximum of x*(1 - x)`".to_string())
                 }
                 (_, Kind::Sign(";")) if expected == END_OF_CLAUSE => Some("begin the next `let` or `assume` on a line of its own".to_string()),
+                (Some(Kind::Number(a)), Kind::Sign(",")) if self.is_joined() && matches!(next, Kind::Number(_)) => match next {
+                    Kind::Number(b) if b.len() == 3 => {
+                        Some(format!("write {a}{b} without a separator, or {a}.{b} if the comma is a decimal one"))
+                    }
+                    Kind::Number(b) => Some(format!("write {a}.{b} with a decimal point")),
+                    _ => None,
+                },
                 (_, Kind::Sign(",")) if expected == END_OF_CLAUSE && self.peek_at(2) != &Kind::Sign("->") => {
                     Some("join two statements by `and`; begin the next `let` or `assume` on a line of its own".to_string())
                 }
@@ -409,6 +423,7 @@ impl Parser {
                 (_, Kind::Sign(",")) if expected == END_OF_CLAUSE && self.peek_at(2) == &Kind::Sign("->") => {
                     Some("say where a variable goes by `as`: `sin(x) = x + O(x^3) as x -> 0`".to_string())
                 }
+                (_, Kind::Word(w)) if w == "for" && expected == "`over`" => Some("write `over` before the domain: over x > 0".to_string()),
                 (_, Kind::Sign("=")) if expected == "`is`" => Some("write `is` before the value".to_string()),
                 (Some(Kind::Sign("=")), Kind::Sign("<")) => Some("write <=".to_string()),
                 (Some(Kind::Sign("<")), Kind::Sign(">")) => Some("write !=".to_string()),
@@ -439,13 +454,6 @@ impl Parser {
                     Some(format!("write {a}*{n} for a product, or {a}{n} for a name with an index"))
                 }
                 (Some(Kind::Sign("^")), Kind::Sign("{")) => Some("group with parentheses, as in a^(n + 1)".to_string()),
-                (Some(Kind::Number(a)), Kind::Sign(",")) => match next {
-                    Kind::Number(b) if b.len() == 3 => {
-                        Some(format!("write {a}{b} without a separator, or {a}.{b} if the comma is a decimal one"))
-                    }
-                    Kind::Number(b) => Some(format!("write {a}.{b} with a decimal point")),
-                    _ => None,
-                },
                 (Some(Kind::Word(name)), _) if expected == DOMAIN && is_name(name) => {
                     Some(format!("declare a real number as `{name} real`"))
                 }
@@ -453,9 +461,15 @@ impl Parser {
             }
         });
         let fault = Fault::Expected { expected: expected.to_string(), found: self.found(), help };
-        let span = self.span();
+        let span = self.missing();
         self.faults.push(Diagnostic::new(fault, span));
         Reported
+    }
+
+    /// Whether no blank stands between this token and its neighbours.
+    fn is_joined(&self) -> bool {
+        let spans: Vec<Span> = self.tokens.iter().skip(self.at.saturating_sub(1)).take(3).map(|t| t.span).collect();
+        spans.windows(2).all(|pair| pair[0].end == pair[1].start)
     }
 
     /// Whether a fault that is already reported explains one here: a keyword that the claim uses as a name, here or just
