@@ -241,6 +241,14 @@ impl Prover {
     }
 }
 
+/// All of these at once.
+pub(super) fn all(mut parts: Vec<Prop>) -> Prop {
+    match (parts.len(), parts.pop()) {
+        (1, Some(only)) => only,
+        (_, last) => prop(PropKind::And(parts.into_iter().chain(last).collect())),
+    }
+}
+
 /// The products over an index that end at a variable, each once.
 fn products_to(e: &Expr, variable: &str, out: &mut Vec<Expr>) {
     if let ExprKind::ProductOver(index, _) = &e.kind

@@ -176,6 +176,9 @@ impl Prover {
         if let Ok(label) = self.attempt(|c| c.by_closed_members(goal, l)) {
             return Ok(label);
         }
+        if let Ok(label) = self.with_half_of_the_time(|c| c.by_contraction(goal, l)) {
+            return Ok(label);
+        }
         if let Ok(label) = self.with_half_of_the_time(|c| c.by_expansion(goal, l)) {
             return Ok(label);
         }

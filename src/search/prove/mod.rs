@@ -34,6 +34,7 @@ mod comparison;
 mod completed_squares;
 mod conditions;
 mod conjugates;
+mod contraction;
 mod denesting;
 mod differences;
 mod elimination;

@@ -9,6 +9,7 @@
 //! Limits: [`SEQUENCES`], [`ROUNDS`].
 
 use super::comparison::single;
+use super::induction::all as all_of;
 use super::invariants::members_met;
 use super::limits::plus;
 use super::values::at_next;
@@ -62,10 +63,7 @@ impl Prover {
         }
         let all = self.true_at_the_start(all, &k, base)?;
         let kept = self.shown_together(all, &k, base)?;
-        let body = match kept.as_slice() {
-            [only] => only.clone(),
-            _ => prop(PropKind::And(kept.clone())),
-        };
+        let body = all_of(kept);
         self.inductions += 1;
         let every = self.induction_by(&k, base, &body, &mut |c, _, next| {
             let parts = match &next.kind {
