@@ -3,59 +3,46 @@
 //!
 //! Method (Banach's fixed point theorem): for the step f and the limit L, (f(x) − L)·A = (x − L)·B with the quotient B/A of polynomials or
 //! roots. In a region that f does not leave, |B| <= q·A for some q < 1. So |u(k) − L| <= E·c^k with a c from q to 1, by induction, and both
-//! bounds have the limit L. The region consists of bounds of x by numbers, by L and by the first members; of these the greatest set that
-//! f keeps is found with doubles, which decide nothing, and so is q. Functions such as the cosine have no A and B: |f(x) − L| <= q·|x − L|
+//! bounds have the limit L. Region and q are planned with doubles (`contraction_regions`), which decide nothing. Functions such as the cosine have no A and B: |f(x) − L| <= q·|x − L|
 //! is shown on either side of L.
 //!
-//! Limits: [`STARTS`], [`PLACES`], [`TRIED`].
+//! Limits: [`STARTS`], [`TRIED`].
 
+use super::contraction_regions::{Orbit, Plan};
 use super::facts::{minus, negated};
 use super::induction::all;
 use super::letters::{as_power, product, total, whole_power};
 use super::limits::{holds, over, plus};
 use super::slopes::put_in;
 use super::sums::replace;
-use super::trial_points::{Place, Turns, truth, value_here};
 use super::{Fail, Prover, implies};
 use crate::algebra::Polynomial;
 use crate::certificate::{Label, Rule, Term};
 use crate::claim::syntax::*;
 use crate::kernel::key;
 use crate::kernel::names::names_in;
-use crate::kernel::order::Signs;
 use crate::kernel::statement::{apply, compare, name, numeral, power, prop};
 use crate::refute::literal::literal;
 use malachite::Rational;
-use malachite::rational::rational::arithmetic::traits::SimplestRationalInInterval;
 use std::collections::BTreeSet;
 
 /// The first members after which the region may begin.
 const STARTS: u32 = 4;
 
-/// The most values of the letters at which a plan is tried, and the members that are computed there.
-const PLACES: usize = 16;
-const MEMBERS: usize = 300;
-
-/// The most factors q that are tried for one start.
-const TRIED: usize = 3;
+/// The most letters and numbers that are tried for the q of facts.
+const TRIED: usize = 4;
 
 /// Numbers for q.
-const FACTORS: [(i64, i64); 7] = [(1, 2), (2, 3), (3, 4), (4, 5), (9, 10), (19, 20), (99, 100)];
-
-/// First members that are tried where none is given.
-const FIRST: [f64; 6] = [0.3, 1.0, 2.5, 40.0, -0.7, -3.0];
-
-/// What a double may be off.
-const OFF: f64 = 1e-9;
+pub(super) const FACTORS: [(i64, i64); 7] = [(1, 2), (2, 3), (3, 4), (4, 5), (9, 10), (19, 20), (99, 100)];
 
 /// A sequence u with u(k + 1) = f(u(k)).
-struct Recurrence {
-    u: String,
+pub(super) struct Recurrence {
+    pub(super) u: String,
     /// u(0), where it is given.
-    first: Option<Expr>,
+    pub(super) first: Option<Expr>,
     /// A name x, and f(x).
-    x: String,
-    step: Expr,
+    pub(super) x: String,
+    pub(super) step: Expr,
     /// The fact that says so, if it is none of the definition.
     fact: Option<Label>,
 }
@@ -67,23 +54,9 @@ impl Recurrence {
 }
 
 /// (f(x) − L)·A = (x − L)·B.
-struct Divided {
-    a: Expr,
-    b: Expr,
-}
-
-/// The values of the letters, and members from 0 on.
-struct Orbit {
-    place: Place,
-    limit: f64,
-    members: Vec<f64>,
-}
-
-/// From which member on f keeps which region, as propositions about x, and the factors q that seem to do there.
-struct Plan {
-    start: u32,
-    region: Vec<Prop>,
-    factors: Vec<Expr>,
+pub(super) struct Divided {
+    pub(super) a: Expr,
+    pub(super) b: Expr,
 }
 
 /// What a step shows of the next member: the equation that gives it, that the step stays in the region, and that it is nearer.
@@ -101,7 +74,8 @@ impl Prover {
     pub(super) fn by_contraction(&mut self, goal: &Prop, l: &Limit) -> Result<Label, Fail> {
         let no = || Fail::No("a recurrence that brings its members nearer to the limit");
         let ExprKind::Apply(u, at) = &l.of.kind else { return Err(no()) };
-        let is_member = !is_built_in(&u.text) && matches!(at.as_slice(), [Expr { kind: ExprKind::Name(n), .. }] if *n == l.variable.text);
+        let is_member = !is_built_in(&u.text)
+            && matches!(at.as_slice(), [Expr { kind: ExprKind::Name(n), .. }] if *n == l.variable.text);
         if !is_member || self.inductions > 0 || holds(&l.value, &l.variable.text) {
             return Err(no());
         }
@@ -109,9 +83,8 @@ impl Prover {
         let divided = self.step_divided(&r, &l.value);
         let orbits = self.orbits(&r, &l.value).ok_or_else(no)?;
         for start in 0..STARTS {
-            let Some(plan) = self.plan_of_contraction(&r, &l.value, start, &orbits, divided.as_ref()) else { continue };
-            for q in &plan.factors {
-                let shown = self.on_its_own(|c| c.contracted(goal, l, &r, &plan, (q, divided.as_ref())));
+            for plan in self.plans_of_contraction(&r, &l.value, start, &orbits, divided.as_ref()).unwrap_or_default() {
+                let shown = self.on_its_own(|c| c.contracted(goal, l, &r, &plan, divided.as_ref()));
                 if shown.is_ok() {
                     return shown;
                 }
@@ -193,178 +166,10 @@ impl Prover {
             last = total(terms);
             b.push((Sign::Plus, product(vec![last.clone(), whole_power(name(&r.x), i64::from(i) - 1)])));
         }
-        let parts = (0..m).map(|i| product(vec![whole_power(r.step.clone(), i), whole_power(limit.clone(), m - 1 - i)]));
+        let parts =
+            (0..m).map(|i| product(vec![whole_power(r.step.clone(), i), whole_power(limit.clone(), m - 1 - i)]));
         let a = product(vec![total(d), total(parts.map(|e| (Sign::Plus, e)).collect())]);
         Some(Divided { a, b: total(b) })
-    }
-
-    /// Members at values of the letters, if they tend to the limit wherever this is tried.
-    fn orbits(&mut self, r: &Recurrence, limit: &Expr) -> Option<Vec<Orbit>> {
-        let mut names = BTreeSet::new();
-        [Some(&r.step), Some(limit), r.first.as_ref()].into_iter().flatten().for_each(|e| names_in(e, &mut names));
-        names.remove(&r.x);
-        let mut places = self.sampled(&names);
-        // A number that an equation alone gives, as D = cos(D), is where the members tend.
-        let unknown = match &limit.kind {
-            ExprKind::Name(n) if places.is_empty() && names.remove(n) => Some(n.clone()),
-            _ => None,
-        };
-        if unknown.is_some() {
-            places = self.sampled(&names);
-        }
-        let zero = apply(&r.u, numeral(0));
-        let sign = self.signs_of(&zero);
-        let known: Vec<Prop> = self.facts().iter().filter_map(|(_, fact)| about(fact, &zero, &r.x)).collect();
-        let mut out = Vec::new();
-        for place in places.into_iter().take(PLACES) {
-            let first = match &r.first {
-                Some(e) => vec![value_here(e, &place)?],
-                None => FIRST.to_vec(),
-            };
-            for x in first {
-                let mut here = place.clone();
-                here.push((r.x.clone(), x));
-                let fits = r.first.is_some() || !(sign.within(Signs::NOT_NEGATIVE) && x < 0.0);
-                if !fits || known.iter().any(|p| truth(p, &mut here, &Turns::new()) == Some(false)) {
-                    continue;
-                }
-                let mut members = vec![x];
-                for _ in 0..MEMBERS {
-                    let next = self.stepped(r, &place, *members.last()?)?;
-                    members.push(next);
-                }
-                let last = *members.last()?;
-                let mut place = place.clone();
-                place.extend(unknown.iter().map(|n| (n.clone(), last)));
-                let limit = value_here(limit, &place)?;
-                let far = members.iter().map(|x| (x - limit).abs()).fold(0.0, f64::max);
-                if !((last - limit).abs() <= far / 2.0 + OFF) {
-                    return None;
-                }
-                out.push(Orbit { place, limit, members });
-            }
-        }
-        (!out.is_empty()).then_some(out)
-    }
-
-    fn stepped(&self, r: &Recurrence, place: &Place, x: f64) -> Option<f64> {
-        let mut here = place.clone();
-        here.push((r.x.clone(), x));
-        value_here(&r.step, &here)
-    }
-
-    /// The greatest region of bounds that the step does not leave, and factors for it.
-    fn plan_of_contraction(
-        &mut self,
-        r: &Recurrence,
-        limit: &Expr,
-        start: u32,
-        orbits: &[Orbit],
-        divided: Option<&Divided>,
-    ) -> Option<Plan> {
-        let x = name(&r.x);
-        let from = usize::try_from(start).ok()?;
-        let members = [apply(&r.u, numeral(start)), apply(&r.u, numeral(start + 1))];
-        let mut ends = vec![numeral(0), numeral(1), limit.clone()];
-        ends.extend(members.iter().cloned());
-        ends.extend(self.numbers_around(r, start, orbits));
-        use Relation::{Greater, GreaterEqual, LessEqual};
-        let bound = |relation: Relation| ends.iter().map(move |e| (relation, e.clone()));
-        let mut region: Vec<(Relation, Expr)> =
-            std::iter::once((Greater, numeral(0))).chain(bound(GreaterEqual)).chain(bound(LessEqual)).collect();
-        // The members that are bounds are numbers at each place.
-        let own: Vec<Place> = orbits
-            .iter()
-            .map(|o| {
-                let mut place = o.place.clone();
-                place.extend((0..2).filter_map(|i| Some((key::expr(&members[i]), *o.members.get(from + i)?))));
-                place
-            })
-            .collect();
-        let value = |e: &Expr, place: &Place| match members.iter().find(|m| key::expr(m) == key::expr(e)) {
-            Some(m) => place.iter().find(|own| own.0 == key::expr(m)).map(|own| own.1),
-            None => value_here(e, place),
-        };
-        let fits = |(relation, e): &(Relation, Expr), x: f64, place: &Place| {
-            let Some(e) = value(e, place) else { return false };
-            let off = OFF * (x.abs() + e.abs());
-            match relation {
-                Greater => x > e,
-                GreaterEqual => x >= e - off,
-                _ => x <= e + off,
-            }
-        };
-        region.retain(|p| orbits.iter().zip(&own).all(|(o, place)| o.members[from..].iter().all(|x| fits(p, *x, place))));
-        let (points, ratios) = loop {
-            let mut points = Vec::new();
-            let mut ratios = Vec::new();
-            for (o, place) in orbits.iter().zip(&own) {
-                let ends = |up: bool| {
-                    let of = region.iter().filter(move |p| (p.0 == LessEqual) == up);
-                    of.filter_map(|p| value(&p.1, place)).collect::<Vec<f64>>()
-                };
-                let low = ends(false).into_iter().fold(f64::NEG_INFINITY, f64::max);
-                let high = ends(true).into_iter().fold(f64::INFINITY, f64::min);
-                let mut most = 0f64;
-                for x in grid(low, high).into_iter().filter(|x| region.iter().all(|p| fits(p, *x, place))) {
-                    let next = self.stepped(r, &o.place, x)?;
-                    points.push((next, place));
-                    if (x - o.limit).abs() > 1e-5 * (1.0 + o.limit.abs()) {
-                        most = most.max(((next - o.limit) / (x - o.limit)).abs());
-                    }
-                }
-                ratios.push(most);
-            }
-            let before = region.len();
-            region.retain(|p| points.iter().all(|(x, place)| fits(p, *x, place)));
-            if region.len() == before {
-                break (points.len(), ratios);
-            }
-        };
-        if points == 0 || ratios.iter().any(|q| !(*q < 1.0)) {
-            return None;
-        }
-        let region = region.into_iter().map(|(relation, e)| compare(x.clone(), relation, e)).collect();
-        // Numbers, where the ratios do not depend on the letters; else what B/A is at the limit or at the first member.
-        let numbers = FACTORS.iter().map(|(n, d)| literal(&Rational::from_signeds(*n, *d)));
-        let mut expressions = Vec::new();
-        if let Some(Divided { a, b }) = divided {
-            for at in [limit, &members[0]] {
-                let quotient = over(put_in(b, &r.x, at).ok()?, put_in(a, &r.x, at).ok()?);
-                expressions.extend(self.simplified(&quotient));
-            }
-        }
-        let numbers: Vec<Expr> = numbers.collect();
-        let (least, most) = (ratios.iter().copied().fold(1.0, f64::min), ratios.iter().copied().fold(0.0, f64::max));
-        let mut factors = if most - least > 0.05 { [expressions, numbers] } else { [numbers, expressions] }.concat();
-        factors.retain(|q| {
-            own.iter().zip(&ratios).all(|(place, ratio)| {
-                let mut q = q.clone();
-                members.iter().for_each(|m| replace(&mut q, m, &name(&key::expr(m))));
-                value_here(&q, place).is_some_and(|q| q.abs() >= ratio - OFF && q.abs() < 1.0)
-            })
-        });
-        factors.truncate(TRIED);
-        Some(Plan { start, region, factors })
-    }
-
-    /// Numbers around the members from a start on, and around where the step leads from between them: one orbit alone has such.
-    fn numbers_around(&mut self, r: &Recurrence, start: u32, orbits: &[Orbit]) -> Vec<Expr> {
-        let [o] = orbits else { return Vec::new() };
-        let later = o.members.iter().skip(usize::try_from(start).unwrap_or(0));
-        let (mut low, mut high) = later.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), x| (a.min(*x), b.max(*x)));
-        for _ in 0..MEMBERS {
-            for x in grid(low, high) {
-                let Some(next) = self.stepped(r, &o.place, x).filter(|x| x.is_finite()) else { return Vec::new() };
-                (low, high) = (low.min(next), high.max(next));
-            }
-        }
-        let off = (high - low) / 50.0;
-        let simple = |a: f64, b: f64| {
-            let (a, b) = (Rational::try_from(a).ok()?, Rational::try_from(b).ok()?);
-            (a < b).then(|| literal(&Rational::simplest_rational_in_open_interval(&a, &b)))
-        };
-        [simple(low - off, low), simple(high, high + off)].into_iter().flatten().collect()
     }
 
     /// The limit by a plan.
@@ -374,8 +179,9 @@ impl Prover {
         l: &Limit,
         r: &Recurrence,
         plan: &Plan,
-        (q, divided): (&Expr, Option<&Divided>),
+        divided: Option<&Divided>,
     ) -> Result<Label, Fail> {
+        let q = &plan.factor;
         let (x, limit) = (name(&r.x), &l.value);
         let square = |e: Expr| whole_power(e, 2);
         let at_step = plan.region.iter().map(|p| super::put(p, &r.x, &r.step)).collect::<Result<Vec<_>, _>>()?;
@@ -443,7 +249,8 @@ impl Prover {
                 (negated(a.clone()), negated(b.clone()))
             }
         };
-        let equation = compare(product(vec![e.clone(), a.clone()]), Relation::Equal, product(vec![d.clone(), b.clone()]));
+        let equation =
+            compare(product(vec![e.clone(), a.clone()]), Relation::Equal, product(vec![d.clone(), b.clone()]));
         let equation = self.show(&equation)?;
         let most = product(vec![q.clone(), a.clone()]);
         let above = self.show(&compare(b.clone(), Relation::LessEqual, most.clone()))?;
@@ -472,7 +279,10 @@ impl Prover {
             from.push(self.block(&side, |c, _| {
                 let above = c.show(&compare(e.clone(), Relation::LessEqual, most.clone()))?;
                 let below = c.show(&compare(negated(most.clone()), Relation::LessEqual, e.clone()))?;
-                c.combination(goal.clone(), vec![Term { facts: vec![below, above], factor: literal(&Rational::from(-1)) }])
+                c.combination(
+                    goal.clone(),
+                    vec![Term { facts: vec![below, above], factor: literal(&Rational::from(-1)) }],
+                )
             })?);
         }
         self.emit(Rule::Logic { from }, goal.clone())
@@ -489,7 +299,8 @@ impl Prover {
         advance: &mut Advance<'_>,
     ) -> Result<Label, Fail> {
         let square = |e: Expr| whole_power(e, 2);
-        let term = |facts: &[&Label], factor: Expr| Term { facts: facts.iter().map(|l| (*l).clone()).collect(), factor };
+        let term =
+            |facts: &[&Label], factor: Expr| Term { facts: facts.iter().map(|l| (*l).clone()).collect(), factor };
         let minus_one = || literal(&Rational::from(-1));
         let (c, no_less) = self.factor_within_one(q)?;
         let first = apply(u, numeral(start));
@@ -560,7 +371,8 @@ impl Prover {
         let from = [compare(literal(&Rational::from(-1)), Less, q.clone()), compare(q.clone(), Less, numeral(1))];
         let [low, high] = [self.show(&from[0])?, self.show(&from[1])?];
         let square = whole_power(q.clone(), 2);
-        let term = |facts: &[&Label], factor: Expr| Term { facts: facts.iter().map(|l| (*l).clone()).collect(), factor };
+        let term =
+            |facts: &[&Label], factor: Expr| Term { facts: facts.iter().map(|l| (*l).clone()).collect(), factor };
         let minus_one = || literal(&Rational::from(-1));
         let within = compare(square.clone(), Less, numeral(1));
         let within = self.combination(within, vec![term(&[&low, &high], minus_one())])?;
@@ -609,7 +421,12 @@ impl Prover {
                 let every = prop(PropKind::ForAll(vec![binding], Box::new(nearer.clone())));
                 let before = std::mem::replace(&mut c.splits, 2);
                 let every = c.block(&every, |c, _| {
-                    facts.iter().try_for_each(|fact| c.instance(fact, &name(&k)).map(|_| ()))?;
+                    for fact in &facts {
+                        let here = c.instance(fact, &name(&k))?;
+                        if let Ok(label) = c.by_squares_of_sides(&here, &nearer) {
+                            return Ok(label);
+                        }
+                    }
                     c.show(&nearer)
                 })?;
                 c.splits = before;
@@ -624,24 +441,13 @@ impl Prover {
         }
         Err(no())
     }
-}
 
-/// What a fact says of one member, with x in its place.
-fn about(fact: &Prop, member: &Expr, x: &str) -> Option<Prop> {
-    let PropKind::Compare(sides, relations) = &fact.kind else { return None };
-    let mut sides = sides.clone();
-    sides.iter_mut().for_each(|e| replace(e, member, &name(x)));
-    Some(prop(PropKind::Compare(sides, relations.clone()))).filter(|p| key::prop(p) != key::prop(fact))
-}
-
-/// Numbers between two ends, which may be infinite: these, and numbers near them and far from them.
-fn grid(low: f64, high: f64) -> Vec<f64> {
-    let parts = (1..24).map(|i| f64::from(i) / 24.0).chain([0.0, 1e-6, 1e-3, 1.0 - 1e-3, 1.0 - 1e-6, 1.0]);
-    let far = (-6..=6).map(|i| 10f64.powi(i)).flat_map(|x| [x, 2.0 * x, 5.0 * x]).chain([0.0]);
-    match (low.is_finite(), high.is_finite()) {
-        (true, true) => parts.map(|t| low + (high - low) * t).collect(),
-        (true, false) => far.map(|x| low + x).collect(),
-        (false, true) => far.map(|x| high - x).collect(),
-        (false, false) => far.flat_map(|x| [x, -x]).collect(),
+    /// a² <= b² from a <= b, where a + b is not negative by signs.
+    fn by_squares_of_sides(&mut self, fact: &str, goal: &Prop) -> Result<Label, Fail> {
+        let fact_here = self.fact(fact).ok_or(Fail::No("a fact"))?;
+        let (a, relation, b) = super::comparison::single(&fact_here)?;
+        let sum = plus(a, b.clone());
+        let factor = if relation.is_greater() == Some(true) { negated(sum) } else { sum };
+        self.combination(goal.clone(), vec![Term { facts: vec![fact.to_string()], factor }])
     }
 }

@@ -35,6 +35,7 @@ mod completed_squares;
 mod conditions;
 mod conjugates;
 mod contraction;
+mod contraction_regions;
 mod denesting;
 mod differences;
 mod elimination;
