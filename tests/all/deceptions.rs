@@ -102,6 +102,7 @@ const DECIDED: &[&str] = &[
     "integrals",
     "units",
     "hypergeometric-inequalities",
+    "recurrences",
 ];
 
 /// What a procedure decided is not lost in silence, and what is true is never refuted.
