@@ -253,12 +253,12 @@ impl Prover {
             compare(product(vec![e.clone(), a.clone()]), Relation::Equal, product(vec![d.clone(), b.clone()]));
         let equation = self.show(&equation)?;
         let most = product(vec![q.clone(), a.clone()]);
-        let above = self.show(&compare(b.clone(), Relation::LessEqual, most.clone()))?;
+        let above = self.show(&compare(most.clone(), Relation::GreaterEqual, b.clone()))?;
         let below = self.show(&compare(negated(most), Relation::LessEqual, b.clone()))?;
         let sum = plus(&product(vec![e, a.clone()]), product(vec![d.clone(), b]));
         let terms = vec![
             Term { facts: vec![equation], factor: sum },
-            Term { facts: vec![below, above], factor: negated(whole_power(d, 2)) },
+            Term { facts: vec![below, above], factor: whole_power(d, 2) },
         ];
         self.emit(Rule::Combination { times: Some(whole_power(a, 2)), terms }, goal.clone())
     }
@@ -313,7 +313,11 @@ impl Prover {
         let own = over(more.clone(), at_start.clone());
         let named = self.emit(Rule::Name, compare(own.clone(), Relation::Equal, e.clone()))?;
         let positive = compare(e.clone(), Relation::Greater, numeral(0));
-        self.combination(positive, vec![term(&[&named], minus_one()), term(&[], own)])?;
+        let part = over(numeral(1), at_start.clone());
+        let at_least_zero = compare(square(d.clone()), Relation::GreaterEqual, numeral(0));
+        let even = self.combination(at_least_zero, vec![term(&[], square(d.clone()))])?;
+        let terms = vec![term(&[&named], minus_one()), term(&[&even], part.clone()), term(&[], part)];
+        self.combination(positive, terms)?;
         let k = self.fresh("k");
         let width = |k: &Expr| product(vec![power(&c, k), e.clone()]);
         let near = |k: &Expr, at: &Expr| {
@@ -322,8 +326,12 @@ impl Prover {
         let mut body = region.iter().map(|p| super::put(p, x, &apply(u, name(&k)))).collect::<Result<Vec<_>, _>>()?;
         body.push(near(&name(&k), &name(&k)));
         let sum = plus(&product(vec![at_start.clone(), e.clone()]), more.clone());
-        let rest = plus(&more, whole_power(d, 4));
-        let terms = vec![term(&[&named], product(vec![at_start, sum])), term(&[], negated(rest))];
+        let terms = vec![
+            term(&[&named], product(vec![at_start, sum])),
+            term(&[], minus_one()),
+            term(&[&even], minus_one()),
+            term(&[&even, &even], minus_one()),
+        ];
         self.combination(near(&numeral(start), &numeral(start)), terms)?;
         self.inductions += 1;
         let base = Some(start).filter(|k| *k > 0);
@@ -379,12 +387,20 @@ impl Prover {
         let c = name(&self.fresh("c"));
         let mean = over(plus(&numeral(1), square.clone()), numeral(2));
         let named = self.emit(Rule::Name, compare(mean.clone(), Equal, c.clone()))?;
-        let terms = vec![term(&[&named], minus_one()), term(&[], mean.clone())];
+        let half = || over(numeral(1), numeral(2));
+        let even = self.combination(
+            compare(square.clone(), Relation::GreaterEqual, numeral(0)),
+            vec![term(&[], square.clone())],
+        )?;
+        let terms = vec![term(&[&named], minus_one()), term(&[&even], half()), term(&[], half())];
         self.combination(compare(c.clone(), Greater, numeral(0)), terms)?;
         let terms = vec![term(&[&named], minus_one()), term(&[&within], over(numeral(1), numeral(2)))];
         self.combination(compare(c.clone(), Less, numeral(1)), terms)?;
-        let rest = over(whole_power(minus(&numeral(1), &square), 2), numeral(4));
-        let terms = vec![term(&[&named], plus(&mean, c.clone())), term(&[], negated(rest))];
+        let rest = whole_power(minus(&numeral(1), &square), 2);
+        let even = compare(rest.clone(), Relation::GreaterEqual, numeral(0));
+        let even = self.combination(even, vec![term(&[], rest)])?;
+        let quarter = literal(&Rational::from_signeds(-1, 4));
+        let terms = vec![term(&[&named], plus(&mean, c.clone())), term(&[&even], quarter)];
         let no_less = self.combination(compare(square, LessEqual, whole_power(c.clone(), 2)), terms)?;
         Ok((c, Some(no_less)))
     }
@@ -447,6 +463,7 @@ impl Prover {
         let fact_here = self.fact(fact).ok_or(Fail::No("a fact"))?;
         let (a, relation, b) = super::comparison::single(&fact_here)?;
         let sum = plus(a, b.clone());
+        self.enrich(&[a, b]);
         let factor = if relation.is_greater() == Some(true) { negated(sum) } else { sum };
         self.combination(goal.clone(), vec![Term { facts: vec![fact.to_string()], factor }])
     }
