@@ -85,7 +85,7 @@ def table(job, record):
             seconds, done, all_cases = total(results, result["tool"])
             cells.append(duration(seconds) if done == all_cases else f"{done} of {all_cases}")
         lines.append(row(cells))
-    lines += over_products(ours) if job == "J3" else []
+    lines += over_products(ours, results) if job == "J3" else []
     lines += over_least(job, cases, ours)
     lines += ["", f"Measured {record['when']}, commit {record['commit']}, {beside(record)}."]
     # Of the cases that were not measured again.
@@ -100,7 +100,7 @@ def table(job, record):
 OPERATIONS = {"eta": 7, "L_7": 12}
 
 
-def over_products(ours):
+def over_products(ours, results):
     """J3 in units of one product of that length, by the same library."""
     counts = [count for count in DIGITS if f"product/{count}" in ours]
     if not counts:
@@ -112,6 +112,10 @@ def over_products(ours):
         times = [ours[f"{what}/{digits}"]["median"] / ours[f"product/{digits}"]["median"] for digits in counts]
         lines.append(row([f"{what}, {count} operations", *(f"{ratio(t)} ({ratio(t / count)})" for t in times)]))
     lines.append(row(["one product", *(duration(ours[f"product/{count}"]["median"]) for count in counts)]))
+    gmp = next((r["cases"] for r in results if f"product/{counts[0]}" in r["cases"] and r["cases"] is not ours), None)
+    if gmp:
+        times = [(gmp[f"product/{count}"]["median"], ours[f"product/{count}"]["median"]) for count in counts]
+        lines.append(row(["one product of GMP", *(f"{duration(t)} (× {ratio(t / own)})" for t, own in times)]))
     return lines
 
 

@@ -61,6 +61,19 @@ impl Prover {
         if self.splits >= 3 || !(has_absolute(a) || has_absolute(b)) {
             return Err(Fail::No("an absolute value"));
         }
+        // Where facts speak of the same absolute values, or of those of the members before, their signs may not matter.
+        if self.inductions == 0 && self.looks_back() {
+            for n in self.candidates(goal) {
+                if let Ok(label) = self.on_its_own(|c| c.show_by_induction_on(goal, &n)) {
+                    return Ok(label);
+                }
+            }
+        }
+        for degree in 0..=1 {
+            if let Ok(label) = self.attempt(|c| c.by_products(goal, degree)) {
+                return Ok(label);
+            }
+        }
         if let Ok(label) = self.attempt(|c| c.by_two_bounds(goal)) {
             return Ok(label);
         }

@@ -1,10 +1,10 @@
 //! Limits of sequences whose step brings them nearer to the limit: Heron's u(k + 1) = (u(k) + a/u(k))/2, x(k + 1) = r·x(k)·(1 − x(k)),
 //! u(k + 1) = sqrt(2 + u(k)), and families with |x(k + 1)| <= q·|x(k)|.
 //!
-//! Method (Banach's fixed point theorem): for the step f and the limit L, (f(x) − L)·A = (x − L)·B with the quotient B/A of polynomials or
-//! roots. In a region that f does not leave, |B| <= q·A for some q < 1. So |u(k) − L| <= E·c^k with a c from q to 1, by induction, and both
-//! bounds have the limit L. Region and q are planned with doubles (`contraction_regions`), which decide nothing. Functions such as the cosine have no A and B: |f(x) − L| <= q·|x − L|
-//! is shown on either side of L.
+//! Method (Banach's fixed point theorem): for the step f and the limit L, (f(x) − L)·A = (x − L)·B with the quotient B/A of polynomials
+//! or roots. In a region that f does not leave, |B| <= q·A for some q < 1. So |u(k) − L| <= E·c^k with a c from q to 1, by induction, and
+//! both bounds have the limit L. Region and q are planned with doubles (`contraction_regions`), which decide nothing. Functions such as
+//! the cosine have no A and B: |f(x) − L| <= q·|x − L| is shown on either side of L.
 //!
 //! Limits: [`STARTS`], [`TRIED`].
 

@@ -121,7 +121,8 @@ impl Prover {
                 place.extend(unknown.iter().map(|n| (n.clone(), last)));
                 let limit = value_here(limit, &place)?;
                 let far = members.iter().map(|x| (x - limit).abs()).fold(0.0, f64::max);
-                if !((last - limit).abs() <= far / 2.0 + OFF) {
+                let is_near = (last - limit).abs() <= far / 2.0 + OFF;
+                if !is_near {
                     return None;
                 }
                 out.push(Orbit { place, limit, members });

@@ -89,7 +89,7 @@ impl Prover {
     }
 
     /// The natural variables on which induction may help, the last declared first.
-    fn candidates(&self, goal: &Prop) -> Vec<String> {
+    pub(super) fn candidates(&self, goal: &Prop) -> Vec<String> {
         let mut names = BTreeSet::new();
         names_in_prop(goal, &mut names);
         let some = matches!(goal.kind, PropKind::Exists(..));
@@ -149,7 +149,7 @@ impl Prover {
     }
 
     /// Whether a `for all` fact, or the definition of a sequence, relates members to each other.
-    fn looks_back(&self) -> bool {
+    pub(super) fn looks_back(&self) -> bool {
         self.checker.facts().any(|(_, p)| matches!(p.kind, PropKind::ForAll(..)))
     }
 

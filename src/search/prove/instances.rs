@@ -48,7 +48,7 @@ impl Prover {
             members_in(e, &mut members);
             open.extend(members.into_iter().filter_map(|(f, e)| Some((f, self.letters.polynomial(&e)?))));
         }
-        // From members at numerals go back to the first members.
+        // After those that occur, earlier members only; at numerals back to the first.
         for round in 0..12 {
             let mut next = Vec::new();
             for (label, variable, members) in &facts {
@@ -59,7 +59,7 @@ impl Prover {
                     for (g, at) in members {
                         // at = k + c: the index that makes it t is t − c.
                         let shift = shift_of(at);
-                        if round > 0 && t.is_constant() && shift.as_constant() != top {
+                        if round > 0 && shift.as_constant() != top {
                             continue;
                         }
                         let index = t.sub(&shift);

@@ -78,7 +78,7 @@ const DIRECT: &[Method] = &[
     row("arcs", ALL, ALWAYS, Kept, |c, goal| c.by_arcs(goal)),
     row("angles", ALL, ALWAYS, Kept, |c, goal| c.by_angles(goal)),
     row("chains", ALL, ALWAYS, Kept, |c, goal| c.by_chain(goal)),
-    row("absolute values", ALL, ALWAYS, Kept, |c, goal| c.by_written_absolute_values(goal)),
+    row("absolute values", ALL, ALWAYS, Own, |c, goal| c.with_half_of_the_time(|c| c.by_written_absolute_values(goal))),
     row("integrals", ALL, ALWAYS, Kept, |c, goal| c.by_integrals(goal)),
     row("tangents of a step", ALL, ALWAYS, Kept, |c, goal| c.by_tangent_of_a_step(goal)),
     row("growth of terms", ORDERS, 1, Own, |c, goal| c.by_growth(goal)),
@@ -175,7 +175,7 @@ const DIRECT: &[Method] = &[
 
 /// What shows a comparison in several parts. Inside an induction cases come first, since its hypothesis is available.
 const IN_PARTS: &[Method] = &[
-    row("absolute values", ALL, FEW, Kept, |c, goal| c.by_absolute_values(goal)),
+    row("absolute values", ALL, FEW, Own, |c, goal| c.by_absolute_values(goal)),
     row("signs of divisors", ALL, ALWAYS, Undone, |c, goal| c.by_signs_of_divisors(goal)),
     row("induction", ALL, ALWAYS, Kept, |c, goal| c.within_inductions(false, |c| c.by_induction(goal))),
     row("strengthened inductions", ORDERS, 1, Own, |c, goal| c.by_strengthened_induction(goal)),
