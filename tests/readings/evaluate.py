@@ -101,6 +101,9 @@ class Evaluator(Values):
         for inner in self.environments(bindings, env, 60):
             held = self.judged(body, inner)
             if held is True:
+                # Among so many tries one may hold at all numbers that were looked at by luck.
+                if speaks_for_all(body):
+                    raise Unclear
                 return True
             tried.append(inner)
         if not tried:
@@ -251,19 +254,20 @@ class Evaluator(Values):
         for scale in scales:
             before, self.in_limit = self.in_limit, True
             try:
-                held = self.along(scale, body, name, natural, center, side, target, env)
+                held, whole = self.along(scale, body, name, natural, center, side, target, env)
             except Undefined:
                 # Only as far out as we look: (sqrt(a + h) - sqrt(a))/h has values as soon as |h| <= a.
                 if scale is scales[0]:
                     raise
-                held = None
+                held, whole = None, False
             finally:
                 self.in_limit = before
-            if held or held is False and (scale is FAR or not slow):
+            if held or held is False and (scale is FAR and whole or not slow):
                 return held
         return None
 
     def along(self, scale, body, name, natural, center, side, target, env):
+        """Whether the values come to the target along a scale, and whether they could be looked at to its end."""
         rows, undefined = [], 0
         for distance in scale:
             if undefined:
@@ -292,8 +296,8 @@ class Evaluator(Values):
         if undefined and not rows:
             raise Undefined
         if undefined or len(rows) < 3:
-            return None
-        return settles(rows, target)
+            return None, False
+        return settles(rows, target), len(rows) == len(scale)
 
     # The values of bound variables.
 
@@ -322,6 +326,11 @@ class Evaluator(Values):
         if not values:
             return None
         return bound(env, {name: self.random.choice(values)}, binding)
+
+
+def speaks_for_all(p):
+    """Whether `for all` or an extremum stands in a statement."""
+    return isinstance(p, (tuple, list)) and (p[:1] in (("all",), ("extremum",)) or any(speaks_for_all(part) for part in p))
 
 
 TRUTHS = {"=>": "implies", "<=>": "equivalent"}
