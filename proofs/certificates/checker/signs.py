@@ -457,7 +457,7 @@ class Values(Intervals, Terms):
         """Whether what has a value can be differentiated: what is needed holds nearby as well."""
         if e[0] == "over":
             need(e[2] not in by, "a derivative by an index")
-            if {self.scope[x] for x in by} & self.free_in(self.read(e)):
+            if set(by) & names_in(e):
                 need(e[1] == "sum", "a derivative of a product over an index")
                 known = known.copy()
                 self.at_index(e[2], self.read(e[3]), self.read(e[4]), known, lambda: self.smooth(e[5], by, known))

@@ -174,20 +174,20 @@ impl Checker {
             ExprKind::SumOver(index, _) | ExprKind::ProductOver(index, _) if index.name.text == by => {
                 return rejected(Reason::NotAReal(by.to_string()));
             }
-            // A sum whose members can be differentiated: its ends are whole. A product may not hold the variable.
+            // A sum whose members can be differentiated, also those that are 0 by reading: its ends are whole. A product may not
+            // mention the variable.
             ExprKind::SumOver(index, body) | ExprKind::ProductOver(index, body) => {
-                let f = self.fraction(e)?;
-                let variable = self.scope.iter().rev().find(|v| v.name == by).map(|v| v.atom.clone());
-                return match variable {
-                    Some(atom) if self.is_free_of(&f, &atom)? => Ok(()),
-                    Some(_) if matches!(e.kind, ExprKind::SumOver(..)) => {
-                        let (from, to) = (self.fraction(&index.from)?, self.fraction(&index.to)?);
-                        self.at_index(&index.name.text, &from, &to, known, |checker, known| {
-                            checker.smooth(body, by, known)
-                        })
-                    }
-                    _ => rejected(Reason::DerivativeOfMember),
-                };
+                let mut names = BTreeSet::new();
+                super::names::names_in(e, &mut names);
+                if !names.contains(by) {
+                    return Ok(());
+                }
+                if matches!(e.kind, ExprKind::ProductOver(..)) {
+                    return rejected(Reason::DerivativeOfMember);
+                }
+                let (from, to) = (self.fraction(&index.from)?, self.fraction(&index.to)?);
+                return self
+                    .at_index(&index.name.text, &from, &to, known, |checker, known| checker.smooth(body, by, known));
             }
             ExprKind::IntegralOver(variable, body) => return self.smooth_integral(variable, body, by, known),
             _ => {}
